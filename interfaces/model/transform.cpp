@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "interfaces/model/transform.hpp"
+
+#include <cmath>
+
+namespace enfilade {
+
+Transform3 to_transform3(const Pose2& pose) {
+  return {.x_m = pose.x_m, .y_m = pose.y_m, .qz = std::sin(0.5 * pose.yaw_rad), .qw = std::cos(0.5 * pose.yaw_rad)};
+}
+
+Pose2 to_pose2(const Transform3& t) {
+  const double yaw = std::atan2(2.0 * (t.qw * t.qz + t.qx * t.qy), 1.0 - 2.0 * (t.qy * t.qy + t.qz * t.qz));
+  return {t.x_m, t.y_m, yaw};
+}
+
+}  // namespace enfilade

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: Apache-2.0
+# Language level, warnings and instrumentation, the same for every target of the project.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+
+option(ENFILADE_WERROR "Treat warnings as errors" OFF)
+set(ENFILADE_SANITIZE "" CACHE STRING "Sanitizers to build with, e.g. 'address,undefined' or 'thread'")
+option(ENFILADE_COVERAGE "Instrument for gcov" OFF)
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+endif()
+
+# What every target of ours compiles with; generated code takes only the instrumentation.
+add_library(enfilade_instrumentation INTERFACE)
+if(ENFILADE_SANITIZE)
+  target_compile_options(enfilade_instrumentation INTERFACE
+    -fsanitize=${ENFILADE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(enfilade_instrumentation INTERFACE -fsanitize=${ENFILADE_SANITIZE})
+endif()
+if(ENFILADE_COVERAGE)
+  target_compile_options(enfilade_instrumentation INTERFACE --coverage)
+  target_link_options(enfilade_instrumentation INTERFACE --coverage)
+endif()
+
+add_library(enfilade_warnings INTERFACE)
+target_compile_options(enfilade_warnings INTERFACE -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion
+                       -Wnon-virtual-dtor -Woverloaded-virtual)
+if(ENFILADE_WERROR)
+  target_compile_options(enfilade_warnings INTERFACE -Werror)
+endif()

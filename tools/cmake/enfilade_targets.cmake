@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: Apache-2.0
+# The three kinds of target the project has.
+
+include(GoogleTest)
+
+# enfilade_library(NAME SOURCES a.cpp … [DEPENDS lib …] [SYSTEM_INCLUDES dir …])
+# Headers are included from the repository root.
+function(enfilade_library name)
+  cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS;SYSTEM_INCLUDES" ${ARGN})
+  if(arg_SOURCES)
+    add_library(${name} STATIC ${arg_SOURCES})
+    set(scope PUBLIC)
+    target_link_libraries(${name} PRIVATE enfilade_warnings)
+  else()
+    add_library(${name} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  target_include_directories(${name} ${scope} ${CMAKE_SOURCE_DIR})
+  target_link_libraries(${name} ${scope} enfilade_instrumentation ${arg_DEPENDS})
+  if(arg_SYSTEM_INCLUDES)
+    target_include_directories(${name} SYSTEM ${scope} ${arg_SYSTEM_INCLUDES})
+  endif()
+endfunction()
+
+# enfilade_executable(NAME SOURCES main.cpp … [DEPENDS lib …]): lands in <build>/bin.
+function(enfilade_executable name)
+  cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS" ${ARGN})
+  add_executable(${name} ${arg_SOURCES})
+  target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR})
+  target_link_libraries(${name} PRIVATE enfilade_warnings enfilade_instrumentation ${arg_DEPENDS})
+endfunction()
+
+# enfilade_test(NAME LABEL unit|integration|e2e SOURCES x_test.cpp … [DEPENDS lib …] [TIMEOUT seconds])
+function(enfilade_test name)
+  cmake_parse_arguments(arg "" "LABEL;TIMEOUT" "SOURCES;DEPENDS" ${ARGN})
+  if(NOT arg_TIMEOUT)
+    set(arg_TIMEOUT 60)
+  endif()
+  add_executable(${name} ${arg_SOURCES})
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+  target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR})
+  target_compile_definitions(${name} PRIVATE ENFILADE_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
+                             ENFILADE_BIN_DIR="${CMAKE_BINARY_DIR}/bin")
+  target_link_libraries(${name} PRIVATE enfilade_warnings enfilade_instrumentation ${arg_DEPENDS}
+                        GTest::gtest GTest::gtest_main)
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60
+                       PROPERTIES LABELS ${arg_LABEL} TIMEOUT ${arg_TIMEOUT})
+endfunction()
