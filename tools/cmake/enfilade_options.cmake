@@ -31,7 +31,7 @@ endif()
 
 add_library(enfilade_warnings INTERFACE)
 target_compile_options(enfilade_warnings INTERFACE -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion
-                       -Wnon-virtual-dtor -Woverloaded-virtual)
+                       -Wnon-virtual-dtor -Woverloaded-virtual -Wno-missing-field-initializers)
 if(ENFILADE_WERROR)
   target_compile_options(enfilade_warnings INTERFACE -Werror)
 endif()
