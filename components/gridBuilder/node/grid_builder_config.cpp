@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "components/gridBuilder/node/grid_builder_config.hpp"
+
+namespace enfilade::grid_builder {
+namespace {
+
+void bind_grid(ConfigBinder& c, ZoneGridConfig& grid) {
+  c.number("resolution_m", grid.resolution_m, 0.01, 1.0);
+  c.number("prob_hit", grid.prob_hit, 0.51, 0.99);
+  c.number("prob_miss", grid.prob_miss, 0.01, 0.49);
+  c.number("clamp_min", grid.clamp_min, 0.001, 0.49);
+  c.number("clamp_max", grid.clamp_max, 0.51, 0.999);
+  c.number("occupied_from", grid.occupied_from, 0.1, 0.9);
+  c.number("max_range_m", grid.max_range_m, 0.5, 100.0);
+  c.number("min_height_m", grid.min_height_m, -10.0, 10.0);
+  c.number("max_height_m", grid.max_height_m, -10.0, 30.0);
+  c.integer("max_memory_mb", grid.max_memory_mb, 1, 65536);
+}
+
+void bind_odometry(ConfigBinder& c, OdometryBufferConfig& odometry) {
+  c.integer("max_samples", odometry.max_samples, 2, 100000);
+  c.number("max_gap_s", odometry.max_gap_s, 0.01, 10.0);
+  c.number("still_linear_m_s", odometry.still_linear_m_s, 0.0, 10.0);
+  c.number("still_angular_rad_s", odometry.still_angular_rad_s, 0.0, 10.0);
+}
+
+}  // namespace
+
+void bind(ConfigBinder& c, GridBuilderConfig& config) {
+  c.group("period", [&](ConfigBinder& g) { bind(g, config.period); });
+  c.flag("stationary", config.gate.stationary);
+  c.flag("only_during_sweeps", config.gate.only_during_sweeps);
+  c.integer("max_waiting_lines", config.max_waiting_lines, 1, 10000);
+  c.group("grid", [&](ConfigBinder& g) { bind_grid(g, config.grid); });
+  c.group("odometry", [&](ConfigBinder& g) { bind_odometry(g, config.odometry); });
+}
+
+}  // namespace enfilade::grid_builder

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "components/gridBuilder/node/grid_builder_node.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <utility>
+
+namespace enfilade::grid_builder {
+namespace {
+
+constexpr const char* kBaseFrame = "base_link";
+constexpr const char* kLaserFrame = "laser";
+
+/// Seconds of wall time at the start of the process, so that a restarted component never repeats an epoch; 1
+/// in a composed run, which must repeat itself byte for byte. It names the run and decides nothing.
+std::uint32_t first_epoch() {
+  if (process_run_id().empty()) return 1;
+  const auto since_1970 = std::chrono::system_clock::now().time_since_epoch();
+  return static_cast<std::uint32_t>(std::chrono::duration_cast<std::chrono::seconds>(since_1970).count());
+}
+
+}  // namespace
+
+GridBuilderNode::GridBuilderNode(const NodeContext& context, const GridBuilderConfig& config)
+    : context_(context),
+      config_(config),
+      gate_(config.gate, first_epoch()),
+      grid_(config.grid),
+      odometry_(config.odometry),
+      lines_(config.max_waiting_lines) {}
+
+void GridBuilderNode::initialize() {
+  Bus& bus = context_.bus;
+  changes_ = bus.advertise(topics::kGridChange);
+  hits_ = bus.advertise(topics::kScanHits);
+  serve<GridSnapshotRequest, GridSnapshotReply>(bus, topics::kGridSnapshot,
+                                                [this](const GridSnapshotRequest&) { return snapshot(); });
+  bus.subscribe<TransformList>(topics::kTfStatic, [this](const TransformList& t) { take_tf_static(t); });
+  bus.subscribe<CurrentZone>(topics::kCurrentZone, [this](const CurrentZone& z) { take_zone(z); });
+  bus.subscribe<MotorState>(topics::kMotorState, [this](const MotorState& s) { take_motor_state(s); });
+  bus.subscribe<Odometry>(topics::kOdom, [this](const Odometry& o) {
+    odometry_.add(o);
+    work_off_lines();
+  });
+  bus.subscribe<PointCloud>(topics::kPoints, [this](const PointCloud& p) {
+    lines_.add_hits(p);
+    work_off_lines();
+  });
+  bus.subscribe<PointCloud>(topics::kPointsFree, [this](const PointCloud& p) {
+    lines_.add_free_ends(p);
+    work_off_lines();
+  });
+  if (gate_.open()) start_grid();
+}
+
+void GridBuilderNode::compute() {
+  if (lines_.overflowed() == overflow_told_) return;
+  context_.log.warn(
+      std::to_string(lines_.overflowed() - overflow_told_) + " scan lines dropped: " +
+      (origin_base_ ? "no odometry covers them" : "no transform base_link -> laser on rt/tf_static"));
+  overflow_told_ = lines_.overflowed();
+}
+
+void GridBuilderNode::take_tf_static(const TransformList& transforms) {
+  for (const StampedTransform& t : transforms.transforms) {
+    if (t.frame_id != kBaseFrame || t.child_frame_id != kLaserFrame) continue;
+    const Transform3& T = t.transform;
+    origin_base_ = Point3f{static_cast<float>(T.x_m), static_cast<float>(T.y_m), static_cast<float>(T.z_m)};
+  }
+  work_off_lines();
+}
+
+void GridBuilderNode::take_zone(const CurrentZone& zone) {
+  if (gate_.take(zone)) start_grid();
+}
+
+void GridBuilderNode::take_motor_state(const MotorState& state) {
+  if (odom_boot_ && *odom_boot_ != state.odom_boot) {
+    // Poses of another boot count from another origin.
+    odometry_.clear();
+    lines_.clear();
+  }
+  odom_boot_ = state.odom_boot;
+  if (gate_.take(state)) start_grid();
+}
+
+void GridBuilderNode::start_grid() {
+  grid_.clear();
+  memory_told_ = false;
+  newest_line_ns_ = 0;
+  const ZoneTag tag = gate_.tag();
+  context_.log.info("zone " + std::to_string(tag.zone_id) + ": empty grid, epoch " +
+                    std::to_string(tag.grid_epoch));
+  changes_.publish(change(context_.clock.now_ns(), {}));
+}
+
+void GridBuilderNode::work_off_lines() {
+  if (!origin_base_) return;
+  while (const BaseLine* next = lines_.front()) {
+    if (!config_.gate.stationary && !odometry_.reaches(next->stamp_ns)) return;
+    const BaseLine line = lines_.pop();
+    if (!gate_.accepts(line.stamp_ns)) continue;
+    const auto moment = find_moment(line.stamp_ns);
+    if (moment && !moment->moving) insert(line, moment->T_odom_base);
+  }
+}
+
+/// T_zone_odom is the identity: the zone's frame is that of the odometry.
+std::optional<BaseMoment> GridBuilderNode::find_moment(StampNs stamp_ns) const {
+  if (config_.gate.stationary) return BaseMoment{};
+  return odometry_.find_moment(stamp_ns);
+}
+
+void GridBuilderNode::insert(const BaseLine& line, const Pose2& T_zone_base) {
+  LineUpdate update = grid_.insert(place(line, *origin_base_, T_zone_base));
+  if (update.cells_without_memory > 0 && !std::exchange(memory_told_, true)) {
+    context_.log.warn("the grid is full: raise grid.max_memory_mb or lower grid.max_range_m");
+  }
+  newest_line_ns_ = std::max(newest_line_ns_, line.stamp_ns);
+  if (!line.has_hits && update.changes.empty()) return;
+  gate_.next_sequence();
+  changes_.publish(change(newest_line_ns_, std::move(update.changes)));
+  if (line.has_hits) hits_.publish({gate_.tag(), line.stamp_ns, T_zone_base, std::move(update.hits)});
+}
+
+GridChange GridBuilderNode::change(StampNs stamp_ns, std::vector<GridCell> cells) const {
+  return {gate_.tag(), gate_.sequence(), stamp_ns, config_.grid.resolution_m, std::move(cells)};
+}
+
+/// A repeated request gets what is known now: a newer answer to the same question.
+GridSnapshotReply GridBuilderNode::snapshot() const {
+  return {{}, change(newest_line_ns_, grid_.known_cells())};
+}
+
+}  // namespace enfilade::grid_builder

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "components/gridBuilder/core/line_placement.hpp"
+#include "components/gridBuilder/node/grid_builder_config.hpp"
+#include "interfaces/runtime/node.hpp"
+#include "interfaces/runtime/service.hpp"
+#include "interfaces/topics/topics.hpp"
+
+namespace enfilade::grid_builder {
+
+/// Brings scan lines, odometry, motor states and the current zone together and publishes what they change in
+/// the grid. A line is worked off in the very callback that completes it, never by a timer.
+class GridBuilderNode : public Node {
+ public:
+  GridBuilderNode(const NodeContext& context, const GridBuilderConfig& config);
+
+  void initialize() override;
+  void compute() override;
+
+ private:
+  void take_tf_static(const TransformList& transforms);
+  void take_zone(const CurrentZone& zone);
+  void take_motor_state(const MotorState& state);
+  void start_grid();
+  void work_off_lines();
+  std::optional<BaseMoment> find_moment(StampNs stamp_ns) const;
+  void insert(const BaseLine& line, const Pose2& T_zone_base);
+  GridChange change(StampNs stamp_ns, std::vector<GridCell> cells) const;
+  GridSnapshotReply snapshot() const;
+
+  NodeContext context_;
+  GridBuilderConfig config_;
+  ZoneGate gate_;
+  ZoneGrid grid_;
+  OdometryBuffer odometry_;
+  WaitingLines lines_;
+  std::optional<Point3f> origin_base_;  ///< of the beams, once rt/tf_static has told it
+  std::optional<std::uint32_t> odom_boot_;  ///< as last told by the motors
+  StampNs newest_line_ns_ = 0;
+  std::size_t overflow_told_ = 0;
+  bool memory_told_ = false;
+  Publisher<GridChange> changes_;
+  Publisher<ScanHits> hits_;
+};
+
+}  // namespace enfilade::grid_builder
