@@ -30,9 +30,9 @@ function(enfilade_executable name)
   target_link_libraries(${name} PRIVATE enfilade_warnings enfilade_instrumentation ${arg_DEPENDS})
 endfunction()
 
-# enfilade_test(NAME LABEL unit|integration|e2e SOURCES x_test.cpp … [DEPENDS lib …] [TIMEOUT seconds])
+# enfilade_test(NAME LABEL unit|integration|e2e … SOURCES x_test.cpp … [DEPENDS lib …] [TIMEOUT seconds])
 function(enfilade_test name)
-  cmake_parse_arguments(arg "" "LABEL;TIMEOUT" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(arg "" "TIMEOUT" "LABEL;SOURCES;DEPENDS" ${ARGN})
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 60)
   endif()
@@ -43,6 +43,9 @@ function(enfilade_test name)
                              ENFILADE_BIN_DIR="${CMAKE_BINARY_DIR}/bin")
   target_link_libraries(${name} PRIVATE enfilade_warnings enfilade_instrumentation ${arg_DEPENDS}
                         GTest::gtest GTest::gtest_main)
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60
-                       PROPERTIES LABELS ${arg_LABEL} TIMEOUT ${arg_TIMEOUT})
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 TEST_LIST ${name}_cases PROPERTIES TIMEOUT ${arg_TIMEOUT})
+  # A list does not survive the PROPERTIES of gtest_discover_tests.
+  set(labels_file ${CMAKE_CURRENT_BINARY_DIR}/${name}_labels.cmake)
+  file(WRITE ${labels_file} "if(${name}_cases)\n  set_tests_properties(\${${name}_cases} PROPERTIES LABELS \"${arg_LABEL}\")\nendif()\n")
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${labels_file})
 endfunction()
