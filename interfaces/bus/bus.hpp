@@ -36,11 +36,12 @@ class Publisher {
   std::unique_ptr<Writer> writer_;
 };
 
-/// One component's way to all others: publish and subscribe, typed by the topic table. Two implementations: Fast DDS
-/// (interfaces/dds) and in-process (in_process_bus.hpp). Requests are built on it (service.hpp).
+/// One component's way to all others: publish and subscribe, typed by the topic table. Two implementations:
+/// Fast DDS (interfaces/dds) and in-process (in_process_bus.hpp). Requests are built on it (service.hpp).
 ///
-/// Handlers never run inside `subscribe` or `publish`, only from the component's executor, one at a time, so a node needs no
-/// locks. Opening a topic that the table does not give to this component throws std::logic_error.
+/// Handlers never run inside `subscribe` or `publish`, only from the component's executor, one at a time, so
+/// a node needs no locks. Opening a topic that the table does not give to this component throws
+/// std::logic_error.
 class Bus {
  public:
   virtual ~Bus() = default;
