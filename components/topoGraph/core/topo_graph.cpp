@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "components/topoGraph/core/topo_graph.hpp"
+
+#include <stdexcept>
+#include <string>
+
+#include "components/topoGraph/core/graph_edit.hpp"
+#include "components/topoGraph/core/relocate.hpp"
+
+namespace enfilade::topo_graph {
+
+TopoGraph::TopoGraph(const TopoGraphConfig& config, TopoState state)
+    : config_(config),
+      fixer_(config.fixer, config.tracker),
+      changer_(config.changer),
+      tracker_(config.tracker),
+      state_(std::move(state)) {
+  if (config.remembered_answers < 1)
+    throw std::invalid_argument("TopoGraph: remembered_answers must be at least 1");
+}
+
+FixRoomOutcome TopoGraph::fix_room(const FixRoomRequest& request, StampNs now_ns) {
+  if (const Answer* known = find_answer(state_.session, RequestKind::kFixRoom, request.call)) {
+    return {.reply = {request.call, known->accepted, known->message, known->id}};
+  }
+  FixRoomOutcome outcome = fixer_.fix(state_, request.estimate);
+  FixRoomReply& reply = outcome.reply;
+  reply.call = request.call;
+  accept(now_ns, outcome.fixed,
+         {reply.call, RequestKind::kFixRoom, reply.accepted, reply.message, reply.room});
+  return outcome;
+}
+
+EnterZoneOutcome TopoGraph::enter_zone(const EnterZoneRequest& request, StampNs now_ns) {
+  if (const Answer* known = find_answer(state_.session, RequestKind::kEnterZone, request.call)) {
+    return {.reply = {request.call, known->accepted, known->message, known->id}};
+  }
+  EnterZoneOutcome outcome = changer_.enter(state_, request);
+  EnterZoneReply& reply = outcome.reply;
+  reply.call = request.call;
+  accept(now_ns, outcome.joined_by_position,
+         {reply.call, RequestKind::kEnterZone, reply.accepted, reply.message, reply.zone_id});
+  return outcome;
+}
+
+MarkDoorOutcome TopoGraph::mark_door(const MarkDoorRequest& request, StampNs now_ns) {
+  if (const Answer* known = find_answer(state_.session, RequestKind::kMarkDoor, request.call)) {
+    return {.reply = {request.call, known->accepted, known->message}};
+  }
+  MarkDoorOutcome outcome = mark(request);
+  MarkDoorReply& reply = outcome.reply;
+  reply.call = request.call;
+  accept(now_ns, outcome.marked, {reply.call, RequestKind::kMarkDoor, reply.accepted, reply.message});
+  return outcome;
+}
+
+MarkDoorOutcome TopoGraph::mark(const MarkDoorRequest& request) {
+  MarkDoorOutcome outcome;
+  std::string& why_not = outcome.reply.message;
+  const Door* door = state_.map.find_door(request.door);
+  if (!door) {
+    why_not = "there is no door " + std::to_string(request.door);
+  } else if (request.kind != DoorKind::kExit && request.kind != DoorKind::kBlocked) {
+    why_not = "a door can only be marked exit or blocked";
+  } else if (request.kind == DoorKind::kExit && door->other_face) {
+    why_not = "door " + std::to_string(request.door) + " joins two rooms: it is no exit";
+  }
+  if (!why_not.empty()) return outcome;
+  outcome.marked = door->kind != request.kind;
+  outcome.reply.accepted = true;
+  get_door(state_, request.door).kind = request.kind;
+  return outcome;
+}
+
+void TopoGraph::accept(StampNs now_ns, bool changed, Answer answer) {
+  remember(state_.session, std::move(answer), static_cast<std::size_t>(config_.remembered_answers));
+  if (!changed) return;
+  ++state_.map.version;
+  state_.map.stamp_ns = now_ns;
+}
+
+ObserveOutcome TopoGraph::observe(const RoomEstimate& estimate) {
+  Session& session = state_.session;
+  ObserveOutcome outcome;
+  if (!estimate.found || estimate.tag.zone_id != session.zone.zone_id) return outcome;
+  if (!session.odom_boot) session.odom_boot = estimate.tag.odom_boot;
+  outcome.odometry_restarted = *session.odom_boot != estimate.tag.odom_boot;
+  if (outcome.odometry_restarted) {
+    outcome.correction = find_room_again(estimate);
+    outcome.room_found_again = outcome.correction.has_value();
+  } else {
+    outcome.correction = track(estimate);
+  }
+  return outcome;
+}
+
+std::optional<PoseCorrection> TopoGraph::track(const RoomEstimate& estimate) {
+  Session& session = state_.session;
+  if (!session.reference) return std::nullopt;
+  // The zone in which the room was modelled compares only recent models, as eq. 18–19 ask; in a room entered
+  // again the whole grid is recent.
+  const Room& room = get_room(state_, *session.zone.room);
+  const bool modelled_here = room.zone_id == session.zone.zone_id;
+  if (!estimate.recent && modelled_here) return std::nullopt;
+  const Rectangle& seen = estimate.recent ? *estimate.recent : estimate.rectangle;
+  const StampNs stamp_ns = estimate.recent ? estimate.recent_stamp_ns : estimate.stamp_ns;
+  if (stamp_ns <= session.reference_ns) return std::nullopt;
+
+  const Rectangle reference = session.zone.T_map_zone.inverse() * *session.reference;
+  const std::optional<Pose2> D = tracker_.deviation(reference, seen);
+  if (!D || !tracker_.is_significant(reference, *D)) return std::nullopt;
+  session.reference_ns = stamp_ns;
+  PoseCorrection correction{.stamp_ns = stamp_ns, .room = room.id, .deviation = *D};
+  move_zone(session.zone.T_map_zone * D->inverse(), correction);  // T_map_odom ← T_map_odom · D⁻¹
+  return correction;
+}
+
+std::optional<PoseCorrection> TopoGraph::find_room_again(const RoomEstimate& estimate) {
+  Session& session = state_.session;
+  if (!session.zone.room) return std::nullopt;
+  const Room& room = get_room(state_, *session.zone.room);
+  const double max_difference_m = config_.tracker.max_size_difference_m;
+  const auto T_map_zone = relocate(state_.map, room, estimate, session.zone.T_map_zone, max_difference_m);
+  if (!T_map_zone) return std::nullopt;
+  PoseCorrection correction{.stamp_ns = estimate.stamp_ns, .room = room.id};
+  correction.deviation = T_map_zone->inverse() * session.zone.T_map_zone;
+  move_zone(*T_map_zone, correction);
+  session.odom_boot = estimate.tag.odom_boot;
+  session.reference = room.rectangle();
+  session.reference_ns = estimate.stamp_ns;
+  return correction;
+}
+
+void TopoGraph::move_zone(const Pose2& T_map_zone, PoseCorrection& correction) {
+  state_.session.zone.T_map_zone = T_map_zone;
+  correction.T_map_odom = T_map_zone;
+}
+
+}  // namespace enfilade::topo_graph

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+
+#include "components/topoGraph/storage/map_file.hpp"
+#include "components/topoGraph/storage/map_names.hpp"
+
+namespace enfilade::topo_graph {
+namespace {
+
+/// The shortest decimal that reads back as the same double.
+std::string number(double value) {
+  std::array<char, 32> digits{};
+  const auto [end, error] = std::to_chars(digits.begin(), digits.end(), value);
+  return {digits.begin(), end};
+}
+
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      out += '\\';
+      out += c;
+    } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+      std::array<char, 8> escape{};
+      std::snprintf(escape.data(), escape.size(), "\\x%02x", static_cast<unsigned>(c));
+      out += escape.data();
+    } else {
+      out += c;
+    }
+  }
+  return out + '"';
+}
+
+std::string pose(const Pose2& p) {
+  return "{x_m: " + number(p.x_m) + ", y_m: " + number(p.y_m) + ", yaw_rad: " + number(p.yaw_rad) + "}";
+}
+
+std::string rectangle(const Rectangle& r) {
+  return "{x_m: " + number(r.x_m) + ", y_m: " + number(r.y_m) + ", yaw_rad: " + number(r.yaw_rad) +
+         ", width_m: " + number(r.width_m) + ", height_m: " + number(r.height_m) + "}";
+}
+
+std::string face(const DoorFace& f) {
+  return "{room: " + std::to_string(f.room) + ", wall: " + std::to_string(f.gap.wall) +
+         ", from_m: " + number(f.gap.from_m) + ", to_m: " + number(f.gap.to_m) + "}";
+}
+
+template <class Items, class Write>
+std::string list(const Items& items, Write&& write) {
+  std::string out = "[";
+  for (const auto& item : items) out += (out.size() > 1 ? ", " : "") + write(item);
+  return out + "]";
+}
+
+template <class T>
+std::string optional_id(const char* key, const std::optional<T>& id) {
+  return id ? std::string("  ") + key + ": " + std::to_string(*id) + "\n" : std::string();
+}
+
+std::string room_text(const Room& room) {
+  std::string out = "  - id: " + std::to_string(room.id) + "\n    name: " + quoted(room.name) +
+                    "\n    T_map_room: " + pose(room.T_map_room) + "\n    width_m: " + number(room.width_m) +
+                    "\n    height_m: " + number(room.height_m) +
+                    "\n    zone_id: " + std::to_string(room.zone_id) +
+                    "\n    fixed_ns: " + std::to_string(room.fixed_ns) + "\n";
+  if (room.covariance) out += "    covariance_rad_m: " + list(*room.covariance, number) + "\n";
+  const auto point = [](const Point2& p) { return "[" + number(p.x()) + ", " + number(p.y()) + "]"; };
+  if (!room.polygon.empty()) out += "    polygon_m: " + list(room.polygon, point) + "\n";
+  return out;
+}
+
+std::string door_text(const Door& door) {
+  std::string out = "  - id: " + std::to_string(door.id) +
+                    "\n    kind: " + std::string(names::kDoorKinds.at(static_cast<std::size_t>(door.kind))) +
+                    "\n    face: " + face(door.face) + "\n";
+  if (door.other_face) out += "    other_face: " + face(*door.other_face) + "\n";
+  if (door.height_m) out += "    height_m: " + number(*door.height_m) + "\n";
+  return out;
+}
+
+std::string answer_text(const Answer& answer) {
+  return "    - {client: " + quoted(answer.call.client) + ", number: " + std::to_string(answer.call.number) +
+         ", request: " + std::string(names::kRequestKinds.at(static_cast<std::size_t>(answer.kind))) +
+         ", accepted: " + (answer.accepted ? "true" : "false") + ", message: " + quoted(answer.message) +
+         ", id: " + std::to_string(answer.id) + "}\n";
+}
+
+std::string session_text(const Session& session) {
+  const CurrentZone& zone = session.zone;
+  std::string out =
+      "session:  # where the exploration stands\n  zone_id: " + std::to_string(zone.zone_id) + "\n";
+  out += optional_id("room", zone.room) + optional_id("from_room", zone.from_room) +
+         optional_id("via_door", zone.via_door);
+  out += "  T_map_zone: " + pose(zone.T_map_zone) +
+         "\n  valid_from_ns: " + std::to_string(zone.valid_from_ns) + "\n";
+  if (session.reference) out += "  reference: " + rectangle(*session.reference) + "\n";
+  out += "  reference_ns: " + std::to_string(session.reference_ns) + "\n" +
+         optional_id("odom_boot", session.odom_boot);
+  out += "  last_room: " + std::to_string(session.last_room) +
+         "\n  last_door: " + std::to_string(session.last_door) + "\n";
+  out += session.answers.empty() ? "  answers: []\n" : "  answers:\n";
+  for (const Answer& answer : session.answers) out += answer_text(answer);
+  return out;
+}
+
+template <class Items, class Write>
+std::string section(const char* key, const Items& items, Write&& write) {
+  std::string out = std::string(key) + (items.empty() ? ": []\n" : ":\n");
+  for (const auto& item : items) out += write(item);
+  return out;
+}
+
+}  // namespace
+
+std::string to_yaml(const MapFile& file) {
+  std::string out =
+      "# Rooms (nodes) and doors (edges). Lengths in metres, angles in radians, times in nanoseconds.\n";
+  out +=
+      "# Walls count counter-clockwise from the room's +x side; from_m and to_m are measured along the "
+      "wall.\n";
+  out += "format: " + std::string(names::kFormat) + "\nversion: " + std::to_string(names::kVersion) + "\n";
+  out += "changes: " + std::to_string(file.map.version) + "\nstamp_ns: " + std::to_string(file.map.stamp_ns) +
+         "\n";
+  out += section("rooms", file.map.rooms, room_text) + section("doors", file.map.doors, door_text);
+  if (file.session) out += session_text(*file.session);
+  return out + std::string(names::kEnd);
+}
+
+}  // namespace enfilade::topo_graph

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <yaml-cpp/yaml.h>
+
+#include "components/topoGraph/storage/map_file.hpp"
+
+namespace enfilade::topo_graph {
+
+/// One value of a YAML file that knows the file's name, for errors that name the line.
+class YamlValue {
+ public:
+  YamlValue(YAML::Node node, const std::string& file, std::string key)
+      : node_(std::move(node)), file_(&file), key_(std::move(key)) {}
+
+  [[noreturn]] void fail(const std::string& what) const;
+
+  double number() const;  ///< finite
+  std::uint64_t count(std::uint64_t highest) const;
+  std::int64_t signed_count() const;
+  std::uint32_t id() const;  ///< from 1
+  bool flag() const;
+  std::string text() const;
+  /// Index of the value among `allowed`.
+  std::size_t one_of(const std::string_view* first, const std::string_view* last) const;
+  std::vector<YamlValue> list() const;
+
+ private:
+  friend class YamlMap;
+  const std::string& scalar(const char* wanted) const;
+
+  YAML::Node node_;
+  const std::string* file_;
+  std::string key_;
+};
+
+/// A map whose keys are taken one after another; `finish` refuses what is left, so nothing in a file is
+/// silently ignored.
+class YamlMap {
+ public:
+  explicit YamlMap(const YamlValue& value);
+
+  YamlValue take(const char* key);
+  std::optional<YamlValue> take_if_present(const char* key);
+  void finish() const;
+
+ private:
+  YamlValue value_;
+  std::vector<std::pair<std::string, YAML::Node>> left_;
+};
+
+}  // namespace enfilade::topo_graph
