@@ -26,11 +26,7 @@ void SweepWindows::take(const MotorState& state) {
   }
   Window& window = windows_.back();
   window.last_seen_ns = state.stamp_ns;
-  const bool ended = state.phase == SweepPhase::kDone && state.sweep_end_ns != 0;
-  if (ended) window.end_ns = state.sweep_end_ns;
-  // A base that starts to move ends the usable part of the sweep.
-  if (!ended && state.base_moving)
-    window.end_ns = std::min(window.end_ns.value_or(state.stamp_ns), state.stamp_ns);
+  if (state.phase == SweepPhase::kDone && state.sweep_end_ns != 0) window.end_ns = state.sweep_end_ns;
 }
 
 bool SweepWindows::contain(StampNs stamp_ns) const {

@@ -8,7 +8,7 @@
 
 namespace enfilade::grid_builder {
 
-/// When the sweep motor travelled and the base stood, put together from the states of the motors.
+/// When the sweep motor travelled, put together from the states of the motors.
 class SweepWindows {
  public:
   void take(const MotorState& state);

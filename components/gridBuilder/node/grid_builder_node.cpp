@@ -12,10 +12,11 @@ namespace {
 constexpr const char* kBaseFrame = "base_link";
 constexpr const char* kLaserFrame = "laser";
 
-/// Seconds of wall time at the start of the process, so that a restarted component never repeats an epoch; 1
-/// in a composed run, which must repeat itself byte for byte. It names the run and decides nothing.
-std::uint32_t first_epoch() {
-  if (process_run_id().empty()) return 1;
+/// Seconds at the start of the component, so that a restarted one never repeats an epoch. Simulated time does
+/// not do for a process, which may start before the first rt/clock; a composed run, which must repeat itself
+/// byte for byte, has no other.
+std::uint32_t first_epoch(const Clock& clock) {
+  if (process_run_id().empty()) return static_cast<std::uint32_t>(1 + clock.now_ns() / from_seconds(1.0));
   const auto since_1970 = std::chrono::system_clock::now().time_since_epoch();
   return static_cast<std::uint32_t>(std::chrono::duration_cast<std::chrono::seconds>(since_1970).count());
 }
@@ -25,7 +26,7 @@ std::uint32_t first_epoch() {
 GridBuilderNode::GridBuilderNode(const NodeContext& context, const GridBuilderConfig& config)
     : context_(context),
       config_(config),
-      gate_(config.gate, first_epoch()),
+      gate_(config.gate, first_epoch(context.clock)),
       grid_(config.grid),
       odometry_(config.odometry),
       lines_(config.max_waiting_lines) {}

@@ -37,7 +37,7 @@ class GridBuilderNode : public Node {
   ZoneGrid grid_;
   OdometryBuffer odometry_;
   WaitingLines lines_;
-  std::optional<Point3f> origin_base_;  ///< of the beams, once rt/tf_static has told it
+  std::optional<Point3f> origin_base_;      ///< of the beams, once rt/tf_static has told it
   std::optional<std::uint32_t> odom_boot_;  ///< as last told by the motors
   StampNs newest_line_ns_ = 0;
   std::size_t overflow_told_ = 0;
