@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "components/laser3D/node/cloud_replay.hpp"
+
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+
+#include "components/laser3D/node/frames.hpp"
+
+namespace enfilade::laser_3d {
+namespace {
+
+FileBytes read_file(const std::string& name) {
+  if (name.empty())
+    throw std::runtime_error("driver is 'replay' but replay.file is empty: name a .pcd or .3d file");
+  std::ifstream in(name, std::ios::binary);
+  if (!in) throw std::runtime_error(name + ": cannot be opened; replay.file must name a .pcd or .3d file");
+  std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  if (in.bad() || bytes.empty()) throw std::runtime_error(name + ": nothing can be read from it");
+  return {name, std::move(bytes)};
+}
+
+std::string in_metres(double value_m) {
+  std::string text = std::to_string(value_m);
+  text.resize(text.find('.') + 3);
+  return text + " m";
+}
+
+}  // namespace
+
+CloudReplay::CloudReplay(const NodeContext& context, const ReplayConfig& config)
+    : context_(context), config_(config) {}
+
+void CloudReplay::start(const Publisher<PointCloud>& points, const Publisher<TransformList>& tf_static) {
+  const FileBytes file = read_file(config_.file);
+  auto cloud = make_replay_cloud(config_.cloud, read_points(file));
+  if (!cloud)
+    throw std::runtime_error(file.name +
+                             ": no floor is to be found below the scanner, so its height is unknown");
+  cloud_ = std::move(*cloud);
+  points_ = &points;
+  opened_ns_ = context_.clock.now_ns();
+  context_.log.info("replay of " + file.name + ": floor " + in_metres(cloud_.scanner_height_m) +
+                    " below the scanner, " + std::to_string(cloud_.points) + " points to play, " +
+                    std::to_string(cloud_.near_floor) + " near the floor dropped");
+  tf_static.publish(mount_transform(opened_ns_, 0.0, 0.0, cloud_.scanner_height_m));
+  context_.executor.every(from_seconds(config_.line_period_s / config_.rate), [this] { step(); });
+}
+
+bool CloudReplay::may_begin() {
+  begun_ = begun_ || points_->matched_readers() >= 1 ||
+           seconds(context_.clock.now_ns() - opened_ns_) >= config_.wait_s;
+  return begun_;
+}
+
+void CloudReplay::step() {
+  if (finished_ || !may_begin()) return;
+  if (next_line_ == cloud_.lines.size()) return finish();
+  const StampNs stamp_ns = static_cast<StampNs>(next_line_ + 1) * from_seconds(config_.line_period_s);
+  points_->publish(
+      {.stamp_ns = stamp_ns, .frame_id = kBaseFrame, .points = std::move(cloud_.lines[next_line_])});
+  ++next_line_;
+}
+
+void CloudReplay::finish() {
+  finished_ = true;
+  context_.log.info("replay finished: " + std::to_string(cloud_.points) + " points in " +
+                    std::to_string(cloud_.lines.size()) + " lines");
+}
+
+}  // namespace enfilade::laser_3d
