@@ -16,7 +16,8 @@ struct TrueRoom {
   Rectangle rectangle;
 };
 
-/// A door as it was built: the segment through the middle of its opening, halfway through the wall, world frame.
+/// A door as it was built: the segment through the middle of its opening, halfway through the wall, world
+/// frame.
 struct TrueDoor {
   std::string name;
   Segment opening;
