@@ -9,7 +9,7 @@
 
 namespace enfilade::topo_graph {
 
-TopoGraph::TopoGraph(const TopoGraphConfig& config, TopoState state)
+TopoGraph::TopoGraph(const GraphConfig& config, TopoState state)
     : config_(config),
       fixer_(config.fixer, config.tracker),
       changer_(config.changer),

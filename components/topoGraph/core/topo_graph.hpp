@@ -11,7 +11,7 @@
 
 namespace enfilade::topo_graph {
 
-struct TopoGraphConfig {
+struct GraphConfig {
   RoomFixerConfig fixer;
   ZoneChangerConfig changer;
   PoseTrackerConfig tracker;
@@ -24,7 +24,7 @@ struct TopoGraphConfig {
 class TopoGraph {
  public:
   /// Throws std::invalid_argument where the configuration makes no sense.
-  TopoGraph(const TopoGraphConfig& config, TopoState state);
+  TopoGraph(const GraphConfig& config, TopoState state);
 
   FixRoomOutcome fix_room(const FixRoomRequest& request, StampNs now_ns);
   EnterZoneOutcome enter_zone(const EnterZoneRequest& request, StampNs now_ns);
@@ -45,7 +45,7 @@ class TopoGraph {
   void move_zone(const Pose2& T_map_zone, PoseCorrection& correction);
   void accept(StampNs now_ns, bool changed, Answer answer);
 
-  TopoGraphConfig config_;
+  GraphConfig config_;
   RoomFixer fixer_;
   ZoneChanger changer_;
   PoseTracker tracker_;

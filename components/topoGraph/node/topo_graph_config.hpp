@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "components/topoGraph/core/topo_graph.hpp"
+#include "interfaces/runtime/config.hpp"
+
+namespace enfilade::topo_graph {
+
+struct TopoGraphConfig {
+  PeriodConfig period{.compute_s = 0.05};  ///< of tf map → odom
+  std::string map_file;                    ///< where map and session are kept; "" = nowhere
+  bool resume = false;                     ///< go on with the session in map_file, where there is one
+  GraphConfig graph;
+};
+
+void bind(ConfigBinder& c, TopoGraphConfig& config);
+
+}  // namespace enfilade::topo_graph

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "components/topoGraph/node/topo_graph_node.hpp"
+
+#include <exception>
+#include <filesystem>
+#include <utility>
+
+#include "components/topoGraph/node/story.hpp"
+#include "components/topoGraph/storage/map_file.hpp"
+
+namespace enfilade::topo_graph {
+
+TopoGraphNode::TopoGraphNode(const NodeContext& context, const TopoGraphConfig& config)
+    : context_(context), config_(config), graph_(config.graph, first_state(context.clock.now_ns())) {}
+
+void TopoGraphNode::initialize() {
+  graph_.reset_to(start_state());
+  if (!config_.map_file.empty()) save_state(config_.map_file, graph_.state());
+  open_topics();
+  map_.publish(graph_.state().map);
+  zone_.publish(graph_.state().session.zone);
+  publish_transform();
+}
+
+TopoState TopoGraphNode::start_state() {
+  const std::filesystem::path file = config_.map_file;
+  if (file.empty() || !std::filesystem::exists(file)) return first_state(context_.clock.now_ns());
+  if (config_.resume) {
+    TopoState state = load_state(file);
+    context_.log.info(tell_resumed(state));
+    return state;
+  }
+  const std::filesystem::path kept = file.string() + ".previous";
+  std::filesystem::rename(file, kept);
+  context_.log.info("a new map is started; the one before is kept in " + kept.string());
+  return first_state(context_.clock.now_ns());
+}
+
+void TopoGraphNode::open_topics() {
+  map_ = context_.bus.advertise(topics::kTopologicalMap);
+  zone_ = context_.bus.advertise(topics::kCurrentZone);
+  correction_ = context_.bus.advertise(topics::kPoseCorrection);
+  tf_ = context_.bus.advertise(topics::kTf);
+  serve<FixRoomRequest, FixRoomReply>(context_.bus, topics::kFixRoom,
+                                      [this](const auto& q) { return on_fix_room(q); });
+  serve<EnterZoneRequest, EnterZoneReply>(context_.bus, topics::kEnterZone,
+                                          [this](const auto& q) { return on_enter_zone(q); });
+  serve<MarkDoorRequest, MarkDoorReply>(context_.bus, topics::kMarkDoor,
+                                        [this](const auto& q) { return on_mark_door(q); });
+  context_.bus.subscribe<RoomEstimate>(topics::kRoomEstimate,
+                                       [this](const RoomEstimate& e) { on_estimate(e); });
+}
+
+FixRoomReply TopoGraphNode::on_fix_room(const FixRoomRequest& request) {
+  const TopoState before = graph_.state();
+  const FixRoomOutcome outcome = graph_.fix_room(request, context_.clock.now_ns());
+  if (const auto problem = commit(before)) return {.message = *problem};
+  if (outcome.fixed) context_.log.info(tell(outcome, graph_.state().map));
+  if (!outcome.reply.accepted) context_.log.warn("room not fixed: " + outcome.reply.message);
+  if (outcome.correction) correction_.publish(*outcome.correction);
+  announce(before);
+  return outcome.reply;
+}
+
+EnterZoneReply TopoGraphNode::on_enter_zone(const EnterZoneRequest& request) {
+  const TopoState before = graph_.state();
+  const EnterZoneOutcome outcome = graph_.enter_zone(request, context_.clock.now_ns());
+  if (const auto problem = commit(before)) return {.message = *problem};
+  if (outcome.entered) context_.log.info(tell(outcome, graph_.state().session.zone));
+  if (!outcome.reply.accepted) context_.log.warn("zone not changed: " + outcome.reply.message);
+  announce(before);
+  return outcome.reply;
+}
+
+MarkDoorReply TopoGraphNode::on_mark_door(const MarkDoorRequest& request) {
+  const TopoState before = graph_.state();
+  const MarkDoorOutcome outcome = graph_.mark_door(request, context_.clock.now_ns());
+  if (const auto problem = commit(before)) return {.message = *problem};
+  if (outcome.marked) context_.log.info(tell(request));
+  if (!outcome.reply.accepted) context_.log.warn("door not marked: " + outcome.reply.message);
+  announce(before);
+  return outcome.reply;
+}
+
+void TopoGraphNode::on_estimate(const RoomEstimate& estimate) {
+  const TopoState before = graph_.state();
+  const ObserveOutcome outcome = graph_.observe(estimate);
+  if (outcome.odometry_restarted && !outcome.room_found_again) warn_of_lost_zone(estimate);
+  if (!outcome.correction || commit(before)) return;
+  context_.log.info(tell(outcome, graph_.state().map));
+  correction_.publish(*outcome.correction);
+  announce(before);
+}
+
+void TopoGraphNode::warn_of_lost_zone(const RoomEstimate& estimate) {
+  if (lost_in_boot_ == estimate.tag.odom_boot) return;
+  lost_in_boot_ = estimate.tag.odom_boot;
+  context_.log.warn(graph_.state().session.zone.room
+                        ? "odometry started anew; the room has not been found in it yet"
+                        : "odometry started anew before the room was in the map: its place is unsure");
+}
+
+/// Writes what has changed since `before`. Where that fails the change is undone, and the reason returned.
+std::optional<std::string> TopoGraphNode::commit(const TopoState& before) {
+  if (config_.map_file.empty() || graph_.state() == before) return std::nullopt;
+  try {
+    save_state(config_.map_file, graph_.state());
+    write_failed_ = false;
+    return std::nullopt;
+  } catch (const std::exception& error) {
+    graph_.reset_to(before);
+    const std::string problem = std::string("the map cannot be kept: ") + error.what();
+    if (!std::exchange(write_failed_, true)) context_.log.error(problem);
+    return problem;
+  }
+}
+
+void TopoGraphNode::announce(const TopoState& before) {
+  const TopoState& now = graph_.state();
+  if (now.map.version != before.map.version) map_.publish(now.map);
+  if (now.session.zone == before.session.zone) return;
+  publish_transform();
+  zone_.publish(now.session.zone);
+}
+
+void TopoGraphNode::publish_transform() {
+  // The zone frame is odom: T_map_odom = T_map_zone.
+  const Transform3 T_map_odom = to_transform3(graph_.state().session.zone.T_map_zone);
+  tf_.publish({{{context_.clock.now_ns(), "map", "odom", T_map_odom}}});
+}
+
+}  // namespace enfilade::topo_graph
