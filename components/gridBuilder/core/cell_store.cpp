@@ -12,8 +12,7 @@ const Cell* CellStore::find(const CellIndex& c) const {
 
 void CellStore::clear() {
   tiles_.clear();
-  last_key_ = kNoKey;
-  last_tile_ = nullptr;
+  recent_.fill({});
 }
 
 CellIndex CellStore::cell_index(std::uint64_t tile, std::size_t offset) {
