@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "components/roomDetector/core/column_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace enfilade::room_detector {
+namespace {
+
+std::uint32_t key(int x, int y) {
+  return static_cast<std::uint32_t>(static_cast<std::uint16_t>(x)) << 16 | static_cast<std::uint16_t>(y);
+}
+
+}  // namespace
+
+int level_of(double z_m, double resolution_m) {
+  // A height that lies on a face between two levels belongs to the upper one, whatever the rounding of the
+  // division.
+  return std::clamp(static_cast<int>(std::floor(z_m / resolution_m + 1e-6)) + kBelowFloor, 0, kLevels);
+}
+
+Levels level_range(int from, int to) {
+  Levels levels;
+  for (int l = std::max(from, 0); l < std::min(to, kLevels); ++l) levels.set(static_cast<std::size_t>(l));
+  return levels;
+}
+
+void ColumnMap::clear(double resolution_m) {
+  *this = ColumnMap();
+  resolution_m_ = resolution_m;
+}
+
+void ColumnMap::apply(const std::vector<GridCell>& cells) {
+  for (const GridCell& cell : cells) {
+    const int signed_level = cell.z + kBelowFloor;
+    if (signed_level < 0 || signed_level >= kLevels) continue;
+    const auto level = static_cast<std::size_t>(signed_level);
+    Column& column = column_at(cell);
+    occupied_per_level_[level] += (cell.state == CellState::kOccupied) - column.occupied[level];
+    column.occupied[level] = cell.state == CellState::kOccupied;
+    column.free[level] = cell.state == CellState::kFree;
+  }
+}
+
+Column& ColumnMap::column_at(const GridCell& cell) {
+  const auto [entry, is_new] = index_.try_emplace(key(cell.x, cell.y), columns_.size());
+  if (is_new) {
+    columns_.push_back({cell.x, cell.y, {}, {}});
+    is_changed_.push_back(false);
+  }
+  const std::size_t i = entry->second;
+  if (!is_changed_[i]) changed_.push_back(i);
+  is_changed_[i] = true;
+  return columns_[i];
+}
+
+const Column* ColumnMap::find(int x, int y) const {
+  const auto entry = index_.find(key(x, y));
+  return entry == index_.end() ? nullptr : &columns_[entry->second];
+}
+
+const Column* ColumnMap::find(const Point2& p) const {
+  return find(static_cast<int>(std::floor(p.x() / resolution_m_)),
+              static_cast<int>(std::floor(p.y() / resolution_m_)));
+}
+
+Point2 ColumnMap::centre(const Column& column) const {
+  return {(column.x + 0.5) * resolution_m_, (column.y + 0.5) * resolution_m_};
+}
+
+std::vector<std::size_t> ColumnMap::take_changed() {
+  for (const std::size_t i : changed_) is_changed_[i] = false;
+  return std::exchange(changed_, {});
+}
+
+}  // namespace enfilade::room_detector

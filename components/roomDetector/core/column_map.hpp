@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "interfaces/geometry/pose2.hpp"
+#include "interfaces/model/grid.hpp"
+
+namespace enfilade::room_detector {
+
+/// Levels a column knows: kBelowFloor of them lie below z = 0. Cells higher or lower than that are ignored.
+inline constexpr int kLevels = 256;
+inline constexpr int kBelowFloor = 16;
+using Levels = std::bitset<kLevels>;
+
+/// Level index of the cell layer that holds height `z_m`, clamped to what a column knows.
+int level_of(double z_m, double resolution_m);
+/// Height of the lower face of a level.
+inline double bottom_of(int level, double resolution_m) { return (level - kBelowFloor) * resolution_m; }
+/// Levels from ≤ l < to.
+Levels level_range(int from, int to);
+
+/// All cells of the grid over one (x, y).
+struct Column {
+  std::int16_t x = 0, y = 0;
+  Levels occupied;
+  Levels free;
+};
+
+/// The grid, kept by column: the projection onto the floor plane that section III works on, and the heights
+/// for the doors. Columns keep the order in which they were first heard of.
+class ColumnMap {
+ public:
+  /// Forgets everything.
+  void clear(double resolution_m);
+  void apply(const std::vector<GridCell>& cells);
+
+  double resolution_m() const { return resolution_m_; }
+  const std::vector<Column>& columns() const { return columns_; }
+  const Column* find(int x, int y) const;
+  /// The column under a point; null where nothing is known.
+  const Column* find(const Point2& p) const;
+  Point2 centre(const Column& column) const;
+  /// How many occupied cells each level holds.
+  const std::array<int, kLevels>& occupied_per_level() const { return occupied_per_level_; }
+  /// Indices of the columns changed since the last call, each once.
+  std::vector<std::size_t> take_changed();
+
+ private:
+  Column& column_at(const GridCell& cell);
+
+  double resolution_m_ = 0.05;
+  std::vector<Column> columns_;
+  std::vector<bool> is_changed_;
+  std::vector<std::size_t> changed_;
+  std::unordered_map<std::uint32_t, std::size_t> index_;
+  std::array<int, kLevels> occupied_per_level_{};
+};
+
+}  // namespace enfilade::room_detector

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "components/roomDetector/core/column_map.hpp"
+#include "interfaces/model/room.hpp"
+
+namespace enfilade::room_detector {
+
+struct DoorFinderConfig {
+  double band_from_m = 0.15;         ///< heights that tell a door from a wall: above the floor …
+  double band_to_m = 1.9;            ///< … and below the lintel
+  double max_occupied_share = 0.10;  ///< of a slice's levels; more is wall
+  double min_free_share = 0.40;      ///< of a slice's levels observed free; less is not known to be open
+  double sill_m = 0.45;              ///< an opening that is not free below this is a window or a hatch
+  double min_width_m = 0.6;
+  double max_width_m = 3.0;  ///< wider than a door leaf, for openings without one; more is a wall not there
+  double min_unexplored_m = 0.2;  ///< shorter stretches without evidence are not reported
+  double beyond_from_m = 0.3;     ///< what lies so far behind the wall …
+  double beyond_to_m = 8.0;       ///< … to so far, and
+  double beyond_floor_m = 0.3;    ///< so high above the floor, tells a room from open ground
+};
+
+/// The gaps of all four walls, by wall and then by position, and how much of the walls was never observed.
+struct WallGaps {
+  std::vector<DoorEstimate> doors;
+  double unexplored_share = 1.0;  ///< of the cells of the wall planes within the band
+};
+
+/// Doors by evidence: eq. 14 asks for segments without points; this asks, besides, that somebody has looked
+/// there. Gaps that were seen free down to the floor are open doors, gaps that were not seen are unexplored
+/// wall.
+class DoorFinder {
+ public:
+  explicit DoorFinder(const DoorFinderConfig& config);
+  WallGaps find(const ColumnMap& map, const Rectangle& rectangle) const;
+
+ private:
+  DoorFinderConfig config_;
+};
+
+}  // namespace enfilade::room_detector

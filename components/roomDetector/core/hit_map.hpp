@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "components/roomDetector/core/wall_band.hpp"
+#include "interfaces/model/grid.hpp"
+
+namespace enfilade::room_detector {
+
+/// A point that a wall may be fitted to, and how many measurements stand behind it.
+struct WallPoint {
+  Point2 position = Point2::Zero();
+  double weight = 1.0;
+};
+
+/// Returns of the laser, summed up by cell. Every return counts, whether or not its cell is occupied by now:
+/// those on the near side of a noisy wall lie in cells that other rays carve away, and leaving them out would
+/// move the wall outwards.
+class HitMap {
+ public:
+  void clear();
+  void add(const std::vector<CellHit>& hits, double resolution_m);
+
+  bool empty() const { return cells_.empty(); }
+  std::uint64_t count() const { return count_; }
+  /// Mean positions of the returns in the cells of a band of heights.
+  std::vector<WallPoint> points(const WallBand& band) const;
+
+ private:
+  struct Sum {
+    int level;
+    double x_m = 0.0, y_m = 0.0, count = 0.0;
+  };
+
+  std::unordered_map<std::uint64_t, std::size_t> index_;
+  std::vector<Sum> cells_;  // in the order of first sight, so that sums come out the same every time
+  std::uint64_t count_ = 0;
+};
+
+}  // namespace enfilade::room_detector

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "components/roomDetector/core/rectangle_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Cholesky>
+
+#include "components/roomDetector/core/wall_equations.hpp"
+
+namespace enfilade::room_detector {
+namespace {
+
+constexpr double kModeBin_m = 0.03;
+
+/// How far each wall has to move to stand where most points within reach are: the fullest of overlapping
+/// pairs of bins.
+WallStep step_to_densest(std::span<const WallPoint> points, const Rectangle& r, double reach_m,
+                         double corner_m) {
+  const int half = std::max(1, static_cast<int>(std::ceil(reach_m / kModeBin_m)));
+  std::array<std::vector<double>, 4> histograms;
+  histograms.fill(std::vector<double>(static_cast<std::size_t>(2 * half + 2), 0.0));
+  for (const WallPoint& point : points) {
+    const WallSight s = sight_of(point.position, r, reach_m, corner_m);
+    if (s.wall < 0) continue;
+    const int bin = std::clamp(static_cast<int>(std::floor(s.residual_m / kModeBin_m)) + half, 0, 2 * half);
+    histograms[static_cast<std::size_t>(s.wall)][static_cast<std::size_t>(bin)] += point.weight;
+  }
+  WallStep step = WallStep::Zero();
+  for (int wall = 0; wall < 4; ++wall) {
+    const auto& h = histograms[static_cast<std::size_t>(wall)];
+    double fullest = 0.0;
+    for (int bin = 0; bin <= 2 * half; ++bin) {
+      const double held = h[static_cast<std::size_t>(bin)] + h[static_cast<std::size_t>(bin + 1)];
+      if (held <= fullest) continue;
+      fullest = held;
+      step[1 + wall] = (bin + 1 - half) * kModeBin_m;
+    }
+  }
+  return step;
+}
+
+double gate_at(const RectangleFitConfig& config, double first_gate_m, int iteration) {
+  const double t = std::min(1.0, iteration / std::max(1.0, config.iterations - 3.0));
+  return first_gate_m * std::pow(config.last_gate_m / first_gate_m, t);
+}
+
+/// Keeps unseen walls (and, with none seen, α) where they are.
+void hold_unseen(WallEquations& e, double min_wall_weight) {
+  constexpr double kHeld = 1e9;
+  e.normal(0, 0) += 1e-6;
+  for (int wall = 0; wall < 4; ++wall) {
+    if (e.support[static_cast<std::size_t>(wall)] < min_wall_weight) e.normal(1 + wall, 1 + wall) += kHeld;
+  }
+}
+
+template <int Free>
+Rectangle iterate(std::span<const WallPoint> points, Rectangle r, const RectangleFitConfig& config,
+                  double first_gate_m, const Eigen::Matrix<double, 5, Free>& basis) {
+  for (int k = 0; k < config.iterations; ++k) {
+    WallEquations e = wall_equations(points, r, gate_at(config, first_gate_m, k), config.corner_m);
+    hold_unseen(e, Free == 5 ? config.min_wall_weight : 0.0);
+    const Eigen::Matrix<double, Free, Free> normal = basis.transpose() * e.normal * basis;
+    r = moved(r, basis * normal.ldlt().solve(basis.transpose() * e.rhs));
+  }
+  return r;
+}
+
+RectangleFit result_at(std::span<const WallPoint> points, const Rectangle& r,
+                       const RectangleFitConfig& config) {
+  WallEquations e = wall_equations(points, r, config.last_gate_m, config.corner_m);
+  RectangleFit fit{.rectangle = r, .support = e.support};
+  const double variance = e.weight > 0.0 ? e.squares / e.weight : 0.0;
+  fit.rms_m = std::sqrt(variance);
+  // A wall that is not seen is known to the reach of the Hough cell at best: 1 m² stands for "not at all".
+  for (int wall = 0; wall < 4; ++wall) e.normal(1 + wall, 1 + wall) += variance;
+  e.normal(0, 0) += variance;
+  const WallMatrix m = parameters_by_step(r);
+  fit.covariance = m * (variance * e.normal.ldlt().solve(WallMatrix::Identity())) * m.transpose();
+  return fit;
+}
+
+/// A wide gate to begin with where the walls were only known coarsely.
+double first_gate(const RectangleFitConfig& config, double reach_m) {
+  return std::max(config.first_gate_m, 0.5 * reach_m);
+}
+
+}  // namespace
+
+RectangleFitter::RectangleFitter(const RectangleFitConfig& config) : config_(config) {}
+
+std::optional<RectangleFit> RectangleFitter::fit(std::span<const WallPoint> points, const Rectangle& start,
+                                                 double reach_m) const {
+  const Rectangle near = moved(start, step_to_densest(points, start, reach_m, config_.corner_m));
+  const WallMatrix all = WallMatrix::Identity();
+  const auto from_near =
+      result_at(points, iterate<5>(points, near, config_, first_gate(config_, reach_m), all), config_);
+  const auto from_start =
+      result_at(points, iterate<5>(points, start, config_, first_gate(config_, reach_m), all), config_);
+  const auto& best = from_near.total_support() >= from_start.total_support() ? from_near : from_start;
+  if (best.total_support() < result_at(points, start, config_).total_support()) return std::nullopt;
+  if (best.rectangle.width_m <= 0.0 || best.rectangle.height_m <= 0.0) return std::nullopt;
+  return best;
+}
+
+std::optional<RectangleFit> RectangleFitter::fit_pose(std::span<const WallPoint> points,
+                                                      const Rectangle& start, double reach_m) const {
+  Eigen::Matrix<double, 5, 3> rigid;  // a shift along x moves wall 0 out and wall 2 in; along y walls 1 and 3
+  rigid << 1, 0, 0,                   //
+      0, 1, 0,                        //
+      0, 0, 1,                        //
+      0, -1, 0,                       //
+      0, 0, -1;
+  const auto fit =
+      result_at(points, iterate<3>(points, start, config_, first_gate(config_, reach_m), rigid), config_);
+  const bool sees_x = std::max(fit.support[0], fit.support[2]) >= config_.min_wall_weight;
+  const bool sees_y = std::max(fit.support[1], fit.support[3]) >= config_.min_wall_weight;
+  return sees_x && sees_y ? std::optional(fit) : std::nullopt;
+}
+
+}  // namespace enfilade::room_detector

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "components/roomDetector/core/room_detector.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace enfilade::room_detector {
+namespace {
+
+/// The Hough space is centred on the robot, to the metre, so that rooms far from the zone's origin lie in it
+/// and votes need not be cast anew while the robot turns about.
+Point2 origin_near(const std::optional<Pose2>& T_zone_base) {
+  if (!T_zone_base) return Point2::Zero();
+  return {std::round(T_zone_base->x_m), std::round(T_zone_base->y_m)};
+}
+
+}  // namespace
+
+RoomDetector::RoomDetector(const RoomDetectorConfig& config)
+    : config_(config),
+      votes_(config.votes, config.hough),
+      search_(config.search),
+      fitter_(config.fit),
+      door_finder_(config.door_finder) {}
+
+void RoomDetector::clear(double resolution_m) {
+  map_.clear(resolution_m);
+  votes_.clear();
+  hits_.clear();
+  recent_hits_.clear();
+  recent_pose_.reset();
+}
+
+void RoomDetector::update(const GridChange& change) { map_.apply(change.cells); }
+
+void RoomDetector::add_hits(const ScanHits& hits) {
+  const Pose2 moved = recent_pose_ ? recent_pose_->inverse() * hits.T_zone_base : Pose2{};
+  const bool stood_still = recent_pose_ && moved.translation().norm() <= config_.recent_move_m &&
+                           std::abs(wrap_to_pi(moved.yaw_rad)) <= radians(config_.recent_turn_deg);
+  if (!stood_still) {
+    recent_hits_.clear();
+    recent_pose_ = hits.T_zone_base;
+  }
+  hits_.add(hits.hits, map_.resolution_m());
+  recent_hits_.add(hits.hits, map_.resolution_m());
+}
+
+Detection RoomDetector::estimate(const std::optional<Pose2>& T_zone_base) {
+  Detection d;
+  const WallBand band = choose_wall_band(map_, config_.band);
+  const HoughSpace& space = votes_.update(map_, band, origin_near(T_zone_base));  // eq. 1–3, steps 1 and 2
+  const auto robot = T_zone_base ? std::optional(T_zone_base->translation()) : std::nullopt;
+  const auto best = search_.find_best(space, robot);  // eq. 5–9, step 3
+  if (!best || best->score <= 0) return d;
+  d.diagnostics = {
+      .above_furniture = band.above_furniture, .search = *best, .coarse = space.rectangle(best->rectangle)};
+  d.estimate.found = true;
+  d.estimate.score = votes_.cells(best->score);
+  d.estimate.rectangle = d.diagnostics.coarse;  // eq. 10–13, step 4
+  if (config_.refine) refine(d, band);
+  find_doors(d, space);  // eq. 14–16
+  fit_recent(d, band);   // r(i+1) of eq. 18–19
+  return d;
+}
+
+std::vector<WallPoint> RoomDetector::wall_points(const WallBand& band) const {
+  auto points = hits_.points(band);
+  if (!points.empty()) return points;
+  const Levels levels = band.levels();
+  for (const Column& column : map_.columns()) {
+    const auto occupied = (column.occupied & levels).count();
+    if (occupied > 0) points.push_back({map_.centre(column), static_cast<double>(occupied)});
+  }
+  return points;
+}
+
+void RoomDetector::refine(Detection& d, const WallBand& band) const {
+  const double reach = 1.5 * std::max(config_.hough.step_m, map_.resolution_m());
+  d.diagnostics.fit = fitter_.fit(wall_points(band), d.diagnostics.coarse, reach);
+  if (!d.diagnostics.fit) return;
+  const RectangleFit& fit = *d.diagnostics.fit;
+  const auto canonical_fit = canonical(fit.rectangle);
+  d.estimate.rectangle = canonical_fit.rectangle;
+  auto covariance = fit.covariance;
+  if (canonical_fit.quarter_turns % 2 != 0) {  // the sides change names
+    covariance.row(3).swap(covariance.row(4));
+    covariance.col(3).swap(covariance.col(4));
+  }
+  d.estimate.covariance.emplace();
+  Eigen::Map<Eigen::Matrix<double, 5, 5, Eigen::RowMajor>>(d.estimate.covariance->data()) = covariance;
+}
+
+void RoomDetector::find_doors(Detection& d, const HoughSpace& space) const {
+  WallGaps gaps = door_finder_.find(map_, d.estimate.rectangle);
+  d.estimate.unexplored_wall_share = gaps.unexplored_share;
+  d.estimate.doors = config_.doors == DoorMethod::kEvidence
+                         ? std::move(gaps.doors)
+                         : find_paper_doors(map_, space.lattice(), space.origin(), d.diagnostics.coarse,
+                                            config_.paper_doors);
+}
+
+void RoomDetector::fit_recent(Detection& d, const WallBand& band) const {
+  if (recent_hits_.empty()) return;
+  d.diagnostics.recent_fit =
+      fitter_.fit_pose(recent_hits_.points(band), d.estimate.rectangle, config_.fit.first_gate_m);
+  if (d.diagnostics.recent_fit) d.estimate.recent = d.diagnostics.recent_fit->rectangle;
+}
+
+}  // namespace enfilade::room_detector

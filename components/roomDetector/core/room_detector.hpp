@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "components/roomDetector/core/door_finder.hpp"
+#include "components/roomDetector/core/paper_doors.hpp"
+#include "components/roomDetector/core/rectangle_fit.hpp"
+#include "components/roomDetector/core/rectangle_search.hpp"
+#include "components/roomDetector/core/wall_band.hpp"
+#include "components/roomDetector/core/wall_votes.hpp"
+#include "interfaces/model/room.hpp"
+
+namespace enfilade::room_detector {
+
+enum class DoorMethod { kPaper, kEvidence };
+
+struct RoomDetectorConfig {
+  HoughConfig hough;
+  WallBandConfig band;
+  WallVotesConfig votes;
+  SearchConfig search;
+  bool refine =
+      true;  ///< fit the walls to the returns of the laser, beyond the resolution of the Hough space
+  RectangleFitConfig fit;
+  DoorMethod doors = DoorMethod::kEvidence;
+  DoorFinderConfig door_finder;
+  PaperDoorsConfig paper_doors;
+  double recent_move_m = 0.005;  ///< the robot has moved if it went so far …
+  double recent_turn_deg = 0.3;  ///< … or turned so much: the returns before that are not recent any more
+};
+
+/// What a person would want to know of one estimate.
+struct RoomDiagnostics {
+  bool above_furniture = false;  ///< the walls were looked for above furniture
+  SearchResult search;
+  Rectangle coarse;  ///< eq. 10–13, before the refinement
+  std::optional<RectangleFit> fit;
+  std::optional<RectangleFit> recent_fit;
+};
+
+struct Detection {
+  RoomEstimate estimate;
+  RoomDiagnostics diagnostics;
+};
+
+/// Section III: the room and its doors from the occupancy grid, kept up to date with the changes of the grid.
+class RoomDetector {
+ public:
+  explicit RoomDetector(const RoomDetectorConfig& config);
+
+  /// Forgets everything: a new grid begins.
+  void clear(double resolution_m);
+  void update(const GridChange& change);
+  void add_hits(const ScanHits& hits);
+  /// The room model of this moment. `robot` is where the robot stands in the zone frame, if that is known.
+  /// The caller fills in tag, sequence and stamps.
+  Detection estimate(const std::optional<Pose2>& T_zone_base);
+
+ private:
+  void refine(Detection& d, const WallBand& band) const;
+  void find_doors(Detection& d, const HoughSpace& space) const;
+  void fit_recent(Detection& d, const WallBand& band) const;
+  std::vector<WallPoint> wall_points(const WallBand& band) const;
+
+  RoomDetectorConfig config_;
+  ColumnMap map_;
+  WallVotes votes_;
+  RectangleSearch search_;
+  RectangleFitter fitter_;
+  DoorFinder door_finder_;
+  HitMap hits_, recent_hits_;
+  std::optional<Pose2> recent_pose_;
+};
+
+}  // namespace enfilade::room_detector

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <span>
+
+#include <Eigen/Core>
+
+#include "components/roomDetector/core/hit_map.hpp"
+#include "interfaces/geometry/rectangle.hpp"
+
+namespace enfilade::room_detector {
+
+/// (δα, δo_0 … δo_3): a turn about the centre, and how far each wall moves outwards.
+using WallStep = Eigen::Matrix<double, 5, 1>;
+using WallMatrix = Eigen::Matrix<double, 5, 5>;
+
+/// A point as one wall sees it.
+struct WallSight {
+  int wall = 0;
+  double residual_m = 0.0;  ///< n_i · (q − c) − o_i: outside is positive
+  double along_m = 0.0;     ///< t_i · (q − c)
+};
+
+/// The wall whose stretch (less `corner_m` at its ends) faces the point, nearest one first; wall -1 where
+/// none is within `gate_m`.
+WallSight sight_of(const Point2& q, const Rectangle& r, double gate_m, double corner_m);
+
+/// Normal equations N δ = b of one Gauss–Newton step about `r`.
+struct WallEquations {
+  WallMatrix normal = WallMatrix::Zero();
+  WallStep rhs = WallStep::Zero();
+  std::array<double, 4> support{};
+  double weight = 0.0, squares = 0.0;  ///< Σ w and Σ w ρ² of the residuals
+};
+WallEquations wall_equations(std::span<const WallPoint> points, const Rectangle& r, double gate_m,
+                             double corner_m);
+
+/// `r` with the step carried out.
+Rectangle moved(const Rectangle& r, const WallStep& step);
+/// ∂(α, x_c, y_c, w, h) / ∂(δα, δo).
+WallMatrix parameters_by_step(const Rectangle& r);
+
+}  // namespace enfilade::room_detector

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "components/roomDetector/core/hough_space.hpp"
+#include "components/roomDetector/core/wall_band.hpp"
+
+namespace enfilade::room_detector {
+
+enum class Score { kPaper, kEvidence };
+
+struct WallVotesConfig {
+  Score score = Score::kEvidence;  ///< kPaper: occupied cells count one each, nothing else counts
+  double free_weight = 0.5;  ///< kEvidence: a free cell on the contour takes away so much of an occupied one
+  double interior_share =
+      0.5;  ///< kEvidence: wall inside the room takes away so much of a fully seen wall column
+  double toll_share = 0.05;  ///< kEvidence: contour costs so much of a fully seen wall
+};
+
+/// Keeps the Hough space in step with the grid: every column of the grid votes with the cells of the wall
+/// band.
+class WallVotes {
+ public:
+  WallVotes(const WallVotesConfig& config, const HoughConfig& hough);
+
+  /// Brings the space up to date with the columns changed since the last call; all of them when the band or
+  /// the origin has changed.
+  const HoughSpace& update(ColumnMap& map, const WallBand& band, const Point2& origin);
+  void clear() { space_.reset(); }
+  /// The score in units of occupied cells.
+  double cells(int score) const { return static_cast<double>(score) / per_cell(); }
+
+ private:
+  bool weighs_evidence() const { return config_.score == Score::kEvidence && band_.above_furniture; }
+  int per_cell() const { return weighs_evidence() ? 4 : 1; }
+  Vote vote_of(const ColumnMap& map, const Column& column) const;
+  Penalties penalties(double resolution_m) const;
+
+  WallVotesConfig config_;
+  HoughConfig hough_;
+  WallBand band_;
+  Levels levels_;
+  std::optional<HoughSpace> space_;
+};
+
+}  // namespace enfilade::room_detector

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "components/roomDetector/core/room_detector.hpp"
+#include "interfaces/runtime/config.hpp"
+
+namespace enfilade::room_detector {
+
+struct RoomDetectorNodeConfig {
+  PeriodConfig period;
+  RoomDetectorConfig detector;
+};
+
+void bind(ConfigBinder& c, RoomDetectorNodeConfig& config);
+
+}  // namespace enfilade::room_detector

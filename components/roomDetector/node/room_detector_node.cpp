@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "components/roomDetector/node/room_detector_node.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace enfilade::room_detector {
+
+RoomDetectorNode::RoomDetectorNode(const NodeContext& context, const RoomDetectorNodeConfig& config)
+    : context_(context),
+      detector_(config.detector),
+      grid_({.start = [this](const GridChange& change) { start_grid(change); },
+             .apply = [this](const GridChange& change) { apply(change); },
+             .ask_for_snapshot = [this] { ask_for_snapshot(); }}) {}
+
+void RoomDetectorNode::initialize() {
+  estimate_ = context_.bus.advertise(topics::kRoomEstimate);
+  snapshot_.emplace(context_, topics::kGridSnapshot);
+  context_.bus.subscribe<GridChange>(topics::kGridChange,
+                                     [this](const GridChange& change) { grid_.take_change(change); });
+  context_.bus.subscribe<ScanHits>(topics::kScanHits, [this](const ScanHits& hits) { take_hits(hits); });
+  ask_for_snapshot();  // a grid may have been growing before this process began
+}
+
+void RoomDetectorNode::compute() {
+  if (!has_news_ || grid_.is_waiting() || !grid_.tag()) return;
+  has_news_ = false;
+  RoomEstimate estimate = detector_.estimate(T_zone_base_).estimate;
+  estimate.tag = *grid_.tag();
+  estimate.grid_sequence = grid_.sequence();
+  estimate.stamp_ns = std::max(grid_stamp_ns_, hits_stamp_ns_);
+  if (estimate.recent) estimate.recent_stamp_ns = hits_stamp_ns_;
+  estimate_.publish(std::move(estimate));
+}
+
+void RoomDetectorNode::start_grid(const GridChange& change) {
+  detector_.clear(change.resolution_m);
+  T_zone_base_.reset();
+  grid_stamp_ns_ = hits_stamp_ns_ = 0;
+}
+
+void RoomDetectorNode::apply(const GridChange& change) {
+  detector_.update(change);
+  grid_stamp_ns_ = change.stamp_ns;
+  has_news_ = true;
+}
+
+void RoomDetectorNode::take_hits(const ScanHits& hits) {
+  if (!grid_.tag() || !(*grid_.tag() == hits.tag)) return;
+  detector_.add_hits(hits);
+  T_zone_base_ = hits.T_zone_base;
+  hits_stamp_ns_ = hits.stamp_ns;
+  has_news_ = true;
+}
+
+void RoomDetectorNode::ask_for_snapshot() {
+  snapshot_->call({}, [this](const GridSnapshotReply& reply) { grid_.take_snapshot(reply.snapshot); });
+}
+
+}  // namespace enfilade::room_detector

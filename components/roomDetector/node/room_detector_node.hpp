@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "components/roomDetector/node/grid_follower.hpp"
+#include "components/roomDetector/node/room_detector_config.hpp"
+#include "interfaces/runtime/node.hpp"
+#include "interfaces/runtime/service.hpp"
+#include "interfaces/topics/topics.hpp"
+
+namespace enfilade::room_detector {
+
+/// Follows the grid of the current zone and publishes the room model whenever the grid or the returns have
+/// changed.
+class RoomDetectorNode : public Node {
+ public:
+  RoomDetectorNode(const NodeContext& context, const RoomDetectorNodeConfig& config);
+
+  void initialize() override;
+  void compute() override;
+
+ private:
+  void start_grid(const GridChange& change);
+  void apply(const GridChange& change);
+  void take_hits(const ScanHits& hits);
+  void ask_for_snapshot();
+
+  NodeContext context_;
+  RoomDetector detector_;
+  GridFollower grid_;
+  Publisher<RoomEstimate> estimate_;
+  std::optional<Client<GridSnapshotRequest, GridSnapshotReply>> snapshot_;
+  std::optional<Pose2> T_zone_base_;
+  StampNs grid_stamp_ns_ = 0, hits_stamp_ns_ = 0;
+  bool has_news_ = false;
+};
+
+}  // namespace enfilade::room_detector

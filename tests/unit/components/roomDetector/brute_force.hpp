@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdlib>
+#include <map>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "components/roomDetector/core/rectangle_search.hpp"
+
+/// The paper's method typed out, slow and obvious, to hold the fast one against.
+namespace enfilade::room_detector::test {
+
+/// Step 2 with a real table: H(θ, d, p) for all of the paper's θ in [-π/4, 3π/4), cumulative in p (step f).
+class LiteralHough {
+ public:
+  LiteralHough(const HoughSpace& space)
+      : space_(space), n_(space.lattice().bins()), angles_(space.lattice().angles()) {
+    table_.assign(static_cast<std::size_t>(2 * angles_ * n_ * n_), 0);
+    for (const Vote& vote : space.votes()) {
+      for (int a = 0; a < angles_; ++a) {
+        const auto b = space.bins_of(a, vote.position);
+        if (!space.lattice().holds(b.d) || !space.lattice().holds(b.p)) continue;
+        add(a, b.d, b.p, vote.occupied);
+        add(a + angles_, b.p, mirror(b.d), vote.occupied);  // θ = α + π/2: d' = p, p' = -d
+      }
+    }
+  }
+
+  /// H(θ, d, p), where p = -1 is before the first bin; α + π/2 is `angle` + angles.
+  int h(int angle, int d, int p) const { return p < 0 ? 0 : table_[index(angle, d, p)]; }
+  int mirror(int bin) const { return n_ - 1 - bin; }
+
+  /// Eq. 5–9 with -d in eq. 8 and 9; every wall from its first corner, included, to its last, excluded.
+  int score(const BinRectangle& r) const {
+    const int a = r.alpha, b = r.alpha + angles_;
+    const int h12 = std::abs(h(a, r.d12, r.d41 - 1) - h(a, r.d12, r.d23 - 1));
+    const int h34 = std::abs(h(a, r.d34, r.d23) - h(a, r.d34, r.d41));
+    const int h23 = std::abs(h(b, r.d23, mirror(r.d12)) - h(b, r.d23, mirror(r.d34)));
+    const int h41 = std::abs(h(b, r.d41, mirror(r.d34) - 1) - h(b, r.d41, mirror(r.d12) - 1));
+    return h12 + h23 + h34 + h41;
+  }
+
+ private:
+  std::size_t index(int angle, int d, int p) const {
+    return static_cast<std::size_t>((angle * n_ + d) * n_ + p);
+  }
+  void add(int angle, int d, int p, int count) {
+    for (int later = p; later < n_; ++later) table_[index(angle, d, later)] += count;
+  }
+
+  const HoughSpace& space_;
+  int n_, angles_;
+  std::vector<int> table_;
+};
+
+/// Calls visit(rectangle) with every rectangle within the limits, in order.
+template <class Visit>
+void for_each_rectangle(const HoughSpace& space, const SearchConfig& config,
+                        const std::optional<Point2>& robot, Visit visit) {
+  const double step = space.lattice().step_m();
+  const int n = space.lattice().bins();
+  const auto fits = [&](int gap) {
+    return gap >= 1 && gap * step >= config.side_min_m - 1e-9 && gap * step <= config.side_max_m + 1e-9;
+  };
+  for (int a = 0; a < space.lattice().angles(); ++a) {
+    const bool is_bound = robot && config.robot_inside;
+    const HoughSpace::Bins at = is_bound ? space.bins_of(a, *robot) : HoughSpace::Bins{};
+    for (int d12 = 0; d12 < n; ++d12) {
+      for (int d34 = d12 + 1; d34 < n; ++d34) {
+        if (!fits(d34 - d12) || (is_bound && (at.d <= d12 || at.d >= d34))) continue;
+        for (int d41 = 0; d41 < n; ++d41) {
+          for (int d23 = d41 + 1; d23 < n; ++d23) {
+            if (!fits(d23 - d41) || (is_bound && (at.p <= d41 || at.p >= d23))) continue;
+            visit(BinRectangle{a, d12, d34, d41, d23});
+          }
+        }
+      }
+    }
+  }
+}
+
+struct Scored {
+  BinRectangle rectangle;
+  int score;
+};
+
+/// The first rectangle in order that no other one beats.
+template <class Score>
+std::optional<Scored> argmax(const HoughSpace& space, const SearchConfig& config,
+                             const std::optional<Point2>& robot, Score score) {
+  std::optional<Scored> best;
+  for_each_rectangle(space, config, robot, [&](const BinRectangle& r) {
+    const int s = score(r);
+    if (!best || s > best->score) best = Scored{r, s};
+  });
+  return best;
+}
+
+/// Weights of the bins of one plane, binned anew, with everything `score: evidence` knows.
+class DirectPlane {
+ public:
+  DirectPlane(const HoughSpace& space, int angle) : space_(space) {
+    std::map<std::pair<int, int>, Vote> bins;
+    for (const Vote& vote : space.votes()) {
+      const auto b = space.bins_of(angle, vote.position);
+      if (!space.lattice().holds(b.d) || !space.lattice().holds(b.p)) continue;
+      Vote& sum = bins[{b.d, b.p}];
+      sum.occupied += vote.occupied;
+      sum.free += vote.free;
+      sum.interior += vote.interior;
+    }
+    const int n = space.lattice().bins();
+    weight_.assign(static_cast<std::size_t>(n * n), 0);
+    interior_ = weight_;
+    for (const auto& [bin, sum] : bins) {
+      const auto i = static_cast<std::size_t>(bin.first * n + bin.second);
+      weight_[i] = sum.occupied > 0 ? sum.occupied
+                                    : -static_cast<int>(std::lround(space.penalties().per_free * sum.free));
+      interior_[i] = sum.interior;
+    }
+  }
+
+  /// Walks along the contour and over the inside.
+  int score(const BinRectangle& r) const {
+    const int n = space_.lattice().bins();
+    int sum = 0;
+    for (int d = r.d12; d <= r.d34; ++d) {
+      for (int p = r.d41; p <= r.d23; ++p) {
+        const bool on_contour = d == r.d12 || d == r.d34 || p == r.d41 || p == r.d23;
+        const auto i = static_cast<std::size_t>(d * n + p);
+        sum += on_contour ? weight_[i] - space_.penalties().per_bin : -interior_[i];
+      }
+    }
+    return sum;
+  }
+
+ private:
+  const HoughSpace& space_;
+  std::vector<int> weight_, interior_;
+};
+
+/// Random worlds: rooms with walls, clutter and noise, or nothing but noise.
+class RandomWorld {
+ public:
+  explicit RandomWorld(unsigned seed) : random_(seed) {}
+  double uniform(double a, double b) {
+    return a + (b - a) * static_cast<double>(random_() >> 8) / 16777216.0;
+  }
+  int integer(int a, int b) { return a + static_cast<int>(random_() % static_cast<unsigned>(b - a + 1)); }
+
+  std::vector<Vote> votes(double extent_m, double spacing_m) {
+    std::vector<Vote> votes;
+    for (int room = integer(0, 3); room > 0; --room) add_room(votes, extent_m, spacing_m);
+    for (int clutter = integer(5, 120); clutter > 0; --clutter) {
+      votes.push_back({{uniform(-extent_m, extent_m), uniform(-extent_m, extent_m)},
+                       integer(0, 4),
+                       integer(0, 4),
+                       integer(0, 2)});
+    }
+    return votes;
+  }
+
+ private:
+  void add_room(std::vector<Vote>& votes, double extent_m, double spacing_m) {
+    const Rectangle room{uniform(-kPi, kPi), uniform(-0.4, 0.4) * extent_m, uniform(-0.4, 0.4) * extent_m,
+                         uniform(0.3, 1.2) * extent_m, uniform(0.3, 1.2) * extent_m};
+    for (int wall = 0; wall < 4; ++wall) {
+      if (integer(0, 5) == 0) continue;  // unseen
+      for (double s = 0.0; s < room.wall_length_m(wall); s += spacing_m) {
+        votes.push_back(
+            {room.corner(wall) + s * room.wall(wall).direction(), integer(1, 6), 0, integer(0, 1)});
+      }
+    }
+  }
+
+  std::mt19937 random_;
+};
+
+}  // namespace enfilade::room_detector::test
