@@ -4,7 +4,14 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "tools/simulator/core/simulation.hpp"
+
 namespace enfilade::simulator {
+namespace {
+
+constexpr StampNs kCreepPeriod_ns = 100'000'000;
+
+}  // namespace
 
 CreditPacer::CreditPacer(const CreditPacerConfig& config, const Clock& wall_clock)
     : config_(config), wall_clock_(wall_clock) {
@@ -14,8 +21,7 @@ CreditPacer::CreditPacer(const CreditPacerConfig& config, const Clock& wall_cloc
 }
 
 void CreditPacer::hear(const SimCredit& credit) {
-  Credit& known = credits_[credit.component_name];
-  known = {credit.done_ns, wall_clock_.now_ns()};
+  credits_[credit.component_name] = {credit.done_ns, wall_clock_.now_ns()};
 }
 
 bool CreditPacer::all_readers_heard() const {
@@ -26,12 +32,12 @@ bool CreditPacer::all_readers_heard() const {
 StampNs CreditPacer::allowed_ns(StampNs world_ns) {
   const StampNs wall_ns = wall_clock_.now_ns();
   if (asked_ns_ < 0) first_asked_ns_ = asked_ns_ = wall_ns;
-  const StampNs passed_ns = wall_ns - asked_ns_;
+  const StampNs passed_ns = std::max<StampNs>(wall_ns - asked_ns_, 0);
   asked_ns_ = wall_ns;
   if (!started_) {
     started_ = all_readers_heard() || wall_ns - first_asked_ns_ >= from_seconds(config_.wait_for_readers_s);
     paced_ns_ = static_cast<double>(world_ns);
-    if (!started_) return world_ns;
+    if (!started_) return creep(world_ns, wall_ns);
   }
   const StampNs credited = credited_ns(world_ns, wall_ns);
   if (config_.speed == 0.0) return credited;
@@ -39,6 +45,12 @@ StampNs CreditPacer::allowed_ns(StampNs world_ns) {
   const double most_ns = static_cast<double>(world_ns) + 1e9 * config_.credit_window_s;
   paced_ns_ = std::min(paced_ns_ + config_.speed * static_cast<double>(passed_ns), most_ns);
   return std::min(credited, static_cast<StampNs>(paced_ns_));
+}
+
+StampNs CreditPacer::creep(StampNs world_ns, StampNs wall_ns) {
+  if (wall_ns - crept_ns_ < kCreepPeriod_ns) return world_ns;
+  crept_ns_ = wall_ns;
+  return world_ns + Simulation::kStep_ns;
 }
 
 StampNs CreditPacer::credited_ns(StampNs world_ns, StampNs wall_ns) const {

@@ -58,6 +58,7 @@ class CreditPacer : public Pacer {
   };
 
   bool all_readers_heard() const;
+  StampNs creep(StampNs world_ns, StampNs wall_ns);
   /// How far the readers alive allow.
   StampNs credited_ns(StampNs world_ns, StampNs wall_ns) const;
 
@@ -66,6 +67,7 @@ class CreditPacer : public Pacer {
   std::map<std::string, Credit> credits_;
   StampNs asked_ns_ = -1;  ///< wall time of the last question
   StampNs first_asked_ns_ = 0;
+  StampNs crept_ns_ = 0;   ///< wall time of the last step while waiting
   double paced_ns_ = 0.0;  ///< how far the speed limit allows
   bool started_ = false;
 };

@@ -10,8 +10,6 @@
 namespace enfilade::simulator {
 namespace {
 
-constexpr StampNs kStandingTick_ns = 100'000'000;
-
 Simulation make_simulation(const SimulatorConfig& config) {
   SimulationConfig simulation = config.simulation;
   simulation.seed = static_cast<std::uint64_t>(config.seed);
@@ -48,10 +46,7 @@ void SimulatorNode::initialize() {
   });
 }
 
-void SimulatorNode::compute() {
-  advance_to(pacer_->allowed_ns(simulation_.now_ns()));
-  tick_if_standing();
-}
+void SimulatorNode::compute() { advance_to(pacer_->allowed_ns(simulation_.now_ns())); }
 
 void SimulatorNode::advance_to(StampNs time_ns) {
   while (simulation_.now_ns() + Simulation::kStep_ns <= time_ns) publish_step(simulation_.step());
@@ -59,20 +54,11 @@ void SimulatorNode::advance_to(StampNs time_ns) {
 
 void SimulatorNode::publish_step(Simulation::Step step) {
   const StampNs now_ns = step.encoders.stamp_ns;
-  tick();
+  clock_.publish({now_ns});
   encoders_.publish(step.encoders);
   if (step.scan) scan_.publish(std::move(*step.scan));
   if (now_ns % ground_truth_period_ns_ < Simulation::kStep_ns)
     ground_truth_.publish(simulation_.ground_truth());
-}
-
-void SimulatorNode::tick() {
-  clock_.publish({simulation_.now_ns()});
-  last_tick_ns_ = context_.clock.now_ns();
-}
-
-void SimulatorNode::tick_if_standing() {
-  if (context_.clock.now_ns() - last_tick_ns_ >= kStandingTick_ns) tick();
 }
 
 std::unique_ptr<SimulatorNode> make_deployed_node(const NodeContext& context, const SimulatorConfig& config) {

@@ -26,15 +26,11 @@ class SimulatorNode : public Node {
  private:
   void advance_to(StampNs time_ns);
   void publish_step(Simulation::Step step);
-  void tick();
-  /// Lets readers that come late, or wait in a world that stands still, know the time.
-  void tick_if_standing();
 
   NodeContext context_;
   std::unique_ptr<Pacer> pacer_;
   Simulation simulation_;
   StampNs ground_truth_period_ns_;
-  StampNs last_tick_ns_ = 0;  ///< on the context's clock
   Publisher<ClockTick> clock_;
   Publisher<SimEncoders> encoders_;
   Publisher<LaserScan> scan_;
