@@ -81,19 +81,19 @@ YamlMap::YamlMap(const YamlValue& value) : value_(value) {
   for (const auto& entry : value.node_) {
     const YamlValue key(entry.first, *value.file_, value.key_);
     const std::string name = key.text();
-    const auto same = [&name](const auto& other) { return other.first == name; };
-    if (std::any_of(left_.begin(), left_.end(), same)) key.fail("the key " + name + " is given twice");
-    left_.emplace_back(name, entry.second);
+    const auto same = [&name](const Entry& other) { return other.key == name; };
+    if (std::any_of(entries_.begin(), entries_.end(), same)) key.fail("the key " + name + " is given twice");
+    entries_.push_back({name, entry.second});
   }
 }
 
 std::optional<YamlValue> YamlMap::take_if_present(const char* key) {
-  const auto it =
-      std::find_if(left_.begin(), left_.end(), [key](const auto& entry) { return entry.first == key; });
-  if (it == left_.end()) return std::nullopt;
-  YamlValue value(it->second, *value_.file_, key);
-  left_.erase(it);
-  return value;
+  for (Entry& entry : entries_) {
+    if (entry.key != key) continue;
+    entry.taken = true;
+    return YamlValue(entry.value, *value_.file_, key);
+  }
+  return std::nullopt;
 }
 
 YamlValue YamlMap::take(const char* key) {
@@ -103,8 +103,9 @@ YamlValue YamlMap::take(const char* key) {
 }
 
 void YamlMap::finish() const {
-  if (left_.empty()) return;
-  YamlValue(left_.front().second, *value_.file_, left_.front().first).fail("is not a key of this format");
+  for (const Entry& entry : entries_) {
+    if (!entry.taken) YamlValue(entry.value, *value_.file_, entry.key).fail("is not a key of this format");
+  }
 }
 
 }  // namespace enfilade::topo_graph

@@ -51,7 +51,14 @@ class YamlMap {
 
  private:
   YamlValue value_;
-  std::vector<std::pair<std::string, YAML::Node>> left_;
+
+  // Entries are marked, not erased: assigning a YAML::Node changes the document behind it.
+  struct Entry {
+    std::string key;
+    YAML::Node value;
+    bool taken = false;
+  };
+  std::vector<Entry> entries_;
 };
 
 }  // namespace enfilade::topo_graph
