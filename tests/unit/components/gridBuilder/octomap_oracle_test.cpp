@@ -28,8 +28,8 @@ struct Comparison {
 /// Every cell of a box that holds all rooms of these tests.
 Comparison compare(const ZoneGrid& grid, const octomap::OcTree& tree) {
   Comparison result;
-  for (int x = -85; x < 85; ++x) {
-    for (int y = -85; y < 85; ++y) {
+  for (int x = -76; x < 76; ++x) {
+    for (int y = -76; y < 76; ++y) {
       for (int z = -2; z < 70; ++z) {
         const CellState expected = state_in(tree, x, y, z);
         result.known += expected != CellState::kUnexplored;
@@ -47,23 +47,28 @@ class OctoMapOracle : public testing::TestWithParam<int> {};
 
 /// OctoMap computes beams in single precision, so a beam that grazes an edge of a cell may go round the other
 /// side of it: a few in a million steps.
-TEST_P(OctoMapOracle, GivesEveryCellTheSameState) {
+TEST_P(OctoMapOracle, GivesEveryCellTheSameStateWhenFurnitureMoves) {
   std::mt19937 engine(GetParam());
-  const BoxRoom room = BoxRoom::random(engine);
+  const BoxRoom before = BoxRoom::random(engine);
+  BoxRoom after = before;
+  after.furniture = BoxRoom::random(engine).furniture;
   const ZoneGridConfig config{.max_range_m = 3.5};
   ZoneGrid grid(config);
   const auto tree = make_octree(config);
-  for (int i = 0; i < 40; ++i) {
-    const ScanLine line = room.scan(i + 1, kSensor, radians(-90.0 + 4.3 * i), 541);
+  for (int i = 0; i < 80; ++i) {
+    const ScanLine line =
+        (i < 40 ? before : after).scan(i + 1, kSensor, radians(-90.0 + 4.3 * (i % 40)), 271);
     grid.insert(line);
     insert_into(*tree, line, config.max_range_m);
   }
   const Comparison result = compare(grid, *tree);
-  EXPECT_GT(result.occupied, 1000);
+  EXPECT_GT(result.occupied, 500);
+  RecordProperty("different", result.different);
+  RecordProperty("known", result.known);
   EXPECT_LE(result.different, result.known / 20000) << "of " << result.known << " known cells";
 }
 
-INSTANTIATE_TEST_SUITE_P(RandomRooms, OctoMapOracle, testing::Range(1, 7));
+INSTANTIATE_TEST_SUITE_P(RandomRooms, OctoMapOracle, testing::Range(1, 5));
 
 TEST(Octree, HoldsTheSameCellsAndCertaintiesAsTheGrid) {
   ZoneGrid grid({});
