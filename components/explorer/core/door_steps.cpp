@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// Section IV, second half: with the room in the graph, choose a door and look at it closely.
+#include <cmath>
+
+#include "components/explorer/core/exploration_machine.hpp"
+#include "components/explorer/core/graph_route.hpp"
+#include "components/explorer/core/wording.hpp"
+
+namespace enfilade::explorer {
+
+void ExplorationMachine::choose_door(const Observation& seen, Decision& decision) {
+  const Room* room = current_room(seen);
+  if (!room) {
+    if (waited_s(config_.answer_wait_s, seen)) get_stuck("the graph does not hold this room", seen, decision);
+    return;
+  }
+  if (is_beyond_a_door(seen, decision)) return;
+  const Point2 robot_map = seen.zone->T_map_zone * seen.T_zone_base->translation();
+  const auto route = find_route(*seen.map, room->id, robot_map, avoid_);
+  if (!route) {
+    state_.target_door.reset();
+    const std::string text = "no door is left: finished after " + counted(state_.sweeps_total, "sweep");
+    decision.events.push_back(text);
+    return go_to(Step::kFinished, ExplorationPhase::kFinished, text, seen);
+  }
+  door_ = route->next;
+  state_.target_door = route->target;
+  const std::string via =
+      route->next == route->target ? "" : " by way of door " + std::to_string(route->next);
+  decision.events.push_back("door " + std::to_string(route->target) + " is next, " +
+                            decimal(route->length_m, 1) + " m away" + via);
+  begin_approach(seen, decision);
+}
+
+/// After a restart in the middle of a crossing the robot stands outside the room it is said to be in.
+bool ExplorationMachine::is_beyond_a_door(const Observation& seen, Decision& decision) {
+  constexpr double kNearM = 1.3;
+  const Room& room = *current_room(seen);
+  const Pose2 T_zone_room = seen.zone->T_map_zone.inverse() * room.T_map_room;
+  const Point2 robot = T_zone_room.inverse() * seen.T_zone_base->translation();
+  if (Rectangle{0.0, 0.0, 0.0, room.width_m, room.height_m}.contains(robot, -config_.outside_m)) return false;
+  for (const Door& door : seen.map->doors) {
+    const DoorFace* face = TopologicalMap::find_face(door, room.id);
+    if (!face || door.kind == DoorKind::kExit || door.kind == DoorKind::kBlocked) continue;
+    if ((place_door(room, *face, T_zone_room).middle - seen.T_zone_base->translation()).norm() > kNearM)
+      continue;
+    door_ = door.id;
+    decision.events.push_back("standing outside room " + std::to_string(room.id) + ", by door " +
+                              std::to_string(door.id));
+    request_sent_ = false;
+    go_to(Step::kEnter, ExplorationPhase::kEntering,
+          "entering what lies behind door " + std::to_string(door.id), seen);
+    return true;
+  }
+  return false;
+}
+
+std::optional<PlacedDoor> ExplorationMachine::locate_door(const Observation& seen) const {
+  const Room* room = current_room(seen);
+  const Door* door = seen.map ? seen.map->find_door(door_) : nullptr;
+  const DoorFace* face = room && door ? TopologicalMap::find_face(*door, room->id) : nullptr;
+  if (!face) return std::nullopt;
+  const bool current = seen.estimate && seen.estimate->tag == *tag_;
+  return place_door(*room, *face,
+                    locate_room(*room, seen.zone->T_map_zone, current ? seen.estimate : nullptr, geometry_));
+}
+
+void ExplorationMachine::begin_approach(const Observation& seen, Decision& decision) {
+  const auto door = locate_door(seen);
+  if (!door) return go_to(Step::kChooseDoor, ExplorationPhase::kApproaching, "choosing a door", seen);
+  const FloorMap map = drive_.floor_map(seen, trodden_);
+  const Reach reach(map, drive_.config().planner, seen.T_zone_base->translation());
+  const auto place = reach.nearest(door->pose_at(-config_.staging_m).translation(), config_.staging_search_m);
+  if (!place) return give_up_door("there is no way to it", seen, decision);
+  const Point2 way = door->middle - *place;
+  const Pose2 staging{place->x(), place->y(), std::atan2(way.y(), way.x())};
+  drive_.begin(staging, trodden_);
+  go_to(Step::kApproach, ExplorationPhase::kApproaching, "going to door " + std::to_string(door_), seen);
+  state_.goal = staging;
+}
+
+void ExplorationMachine::approach(const Observation& seen, Decision& decision) {
+  const DriveStatus status = drive_.update(seen, decision);
+  if (status == DriveStatus::kArrived) begin_sweep(Purpose::kDoor, seen);
+  if (status == DriveStatus::kFailed) give_up_door("the way to it is barred", seen, decision);
+}
+
+void ExplorationMachine::judge(const Observation& seen, Decision& decision) {
+  const auto placed = locate_door(seen);
+  const Door* door = placed ? seen.map->find_door(door_) : nullptr;
+  if (!door) return go_to(Step::kChooseDoor, ExplorationPhase::kApproaching, "choosing a door", seen);
+  const bool current = seen.estimate && seen.estimate->tag == *tag_ && seen.estimate->found;
+  const DoorEstimate* gap = current ? find_gap(*seen.estimate, *placed, geometry_) : nullptr;
+  const DoorJudgement judgement = judge_door(*seen.grid, *placed, gap, judge_config_);
+  const std::string name = "door " + std::to_string(door_);
+  const bool to_be_resolved = door->kind == DoorKind::kUnresolved;
+  if (judgement.verdict == DoorVerdict::kExit && to_be_resolved) {
+    decision.events.push_back(name + " opens on empty ground: an exit");
+    return begin_mark(DoorKind::kExit, seen, decision);
+  }
+  const auto corridor =
+      judgement.corridor ? judgement.corridor : find_corridor(*seen.grid, *placed, judge_config_.corridor);
+  if (!corridor) return give_up_door("no free way leads through it", seen, decision);
+  corridor_ = *corridor;
+  begin_crossing(seen, decision);
+}
+
+/// Once is chance, perhaps a person in the way: it is tried again from another view. A passage is only
+/// avoided, as the robot has gone through it before.
+void ExplorationMachine::give_up_door(const std::string& why, const Observation& seen, Decision& decision) {
+  const int attempts = ++attempts_[door_];
+  decision.warnings.push_back("door " + std::to_string(door_) + ": " + why);
+  if (attempts < config_.door_attempts) return begin_sweep(Purpose::kLocalise, seen);
+  const Door* door = seen.map->find_door(door_);
+  if (door && door->kind == DoorKind::kUnresolved) return begin_mark(DoorKind::kBlocked, seen, decision);
+  avoid_.insert(door_);
+  go_to(Step::kChooseDoor, ExplorationPhase::kApproaching, "choosing another door", seen);
+}
+
+}  // namespace enfilade::explorer

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "components/explorer/core/observation.hpp"
+#include "components/explorer/core/path_follower.hpp"
+#include "components/explorer/core/path_planner.hpp"
+#include "components/explorer/core/safety_guard.hpp"
+
+namespace enfilade::explorer {
+
+struct DriveConfig {
+  FloorMapConfig floor;
+  PathPlannerConfig planner;
+  PathFollowerConfig follower;
+  SafetyGuardConfig guard;
+  double near_clearance_m = 0.28;  ///< so close to obstacles …
+  double near_speed_m_s = 0.12;    ///< … it goes this slowly, and faster the more room there is
+  double open_clearance_m = 0.60;
+  double blocked_s = 5.0;  ///< stands this long before something in the way before it looks for another way
+  int max_replans = 3;
+  double slowest_m_s = 0.05;  ///< slower than this on the whole, it has failed
+  double spare_s = 40.0;
+};
+
+enum class DriveStatus { kDriving, kArrived, kFailed };
+
+/// Drives to a pose over known free floor, stopping for what stands in the way.
+class Drive {
+ public:
+  explicit Drive(const DriveConfig& config);
+
+  /// The floor as it is known now.
+  FloorMap floor_map(const Observation& seen, const std::vector<Point2>& trodden) const;
+  const DriveConfig& config() const { return config_; }
+
+  void begin(const Pose2& goal, std::vector<Point2> trodden);
+  DriveStatus update(const Observation& seen, Decision& decision);
+  /// Seen in the way since begin(), zone frame.
+  const std::vector<Point2>& met() const { return met_; }
+
+ private:
+  bool plan(const Observation& seen);
+  DriveStatus wait_blocked(const Observation& seen, const std::vector<Point2>& in_the_way);
+  double speed_limit_m_s(const Point2& at) const;
+
+  DriveConfig config_;
+  PathFollower follower_;
+  SafetyGuard guard_;
+  Pose2 goal_;
+  std::vector<Point2> trodden_, met_;
+  std::optional<FloorMap> map_;
+  std::optional<StampNs> blocked_since_ns_;
+  StampNs deadline_ns_ = 0;
+  int replans_ = 0;
+};
+
+}  // namespace enfilade::explorer

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// Section IV, first half: scan, look at what is unexplored inside the estimated room, until a further sweep
+// changes nothing.
+#include <algorithm>
+#include <cmath>
+
+#include "components/explorer/core/exploration_machine.hpp"
+#include "components/explorer/core/wording.hpp"
+
+namespace enfilade::explorer {
+namespace {
+
+/// What may be explored where no room is known: a square round the robot.
+Rectangle surroundings(const Point2& robot) {
+  constexpr double kSideM = 10.0;
+  return {0.0, robot.x(), robot.y(), kSideM, kSideM};
+}
+
+bool is_current(const RoomEstimate* estimate, const ZoneTag& tag) { return estimate && estimate->tag == tag; }
+
+}  // namespace
+
+void ExplorationMachine::begin_sweep(Purpose purpose, const Observation& seen) {
+  purpose_ = purpose;
+  const bool fine = purpose == Purpose::kVerify;
+  sweeper_.begin(fine ? config_.fine_step_deg : config_.coarse_step_deg, seen.now_ns);
+  const auto phase = fine ? ExplorationPhase::kVerifying : ExplorationPhase::kScanning;
+  const std::string number = std::to_string(state_.sweeps_in_zone + 1);
+  go_to(Step::kSweep, phase, "sweep " + number + (fine ? ", a fine one" : ""), seen);
+}
+
+void ExplorationMachine::sweep(const Observation& seen, Decision& decision) {
+  const SweepStatus status = sweeper_.update(seen, decision);
+  if (status == SweepStatus::kFailed)
+    return get_stuck("the sweep motor does not finish a sweep", seen, decision);
+  if (status == SweepStatus::kRunning) return;
+  ++state_.sweeps_in_zone;
+  ++state_.sweeps_total;
+  if (!first_yaw_rad_) first_yaw_rad_ = seen.T_zone_base->yaw_rad;
+  go_to(Step::kAwaitEstimate, state_.phase, "waiting for the model after the sweep", seen);
+}
+
+void ExplorationMachine::await_estimate(const Observation& seen, Decision& decision) {
+  const StampNs needed_ns = sweeper_.end_ns() - 2 * sweeper_.line_period_ns();
+  const bool there = is_current(seen.estimate, *tag_) && seen.estimate->stamp_ns >= needed_ns;
+  if (there || waited_s(config_.estimate_wait_s, seen)) after_sweep(seen, decision);
+}
+
+void ExplorationMachine::after_sweep(const Observation& seen, Decision& decision) {
+  const bool found = is_current(seen.estimate, *tag_) && seen.estimate->found;
+  decision.events.push_back("sweep " + std::to_string(state_.sweeps_in_zone) +
+                            " done: " + (found ? summary(*seen.estimate) : "no rectangle fits yet"));
+  switch (purpose_) {
+    case Purpose::kLocalise:
+      return go_to(Step::kChooseDoor, ExplorationPhase::kApproaching, "choosing a door", seen);
+    case Purpose::kDoor:
+      return go_to(Step::kJudge, ExplorationPhase::kApproaching, "judging the door", seen);
+    case Purpose::kModel:
+    case Purpose::kVerify:
+      break;
+  }
+  if (found) {
+    const bool unchanged = stability_.update(*seen.estimate);
+    verified_ = purpose_ == Purpose::kVerify && unchanged;
+    note_what_was_seen(seen);
+  }
+  go_to(Step::kAssess, state_.phase, "weighing what was seen", seen);
+}
+
+/// What should have been visible and is still unexplored is counted as looked at in vain.
+void ExplorationMachine::note_what_was_seen(const Observation& seen) {
+  const auto left = targets_.find(*seen.grid, *seen.estimate);
+  for (const ViewTarget& t : views_.seen_from(*seen.grid, *seen.T_zone_base, left))
+    targets_.looked_in_vain(t);
+}
+
+void ExplorationMachine::assess(const Observation& seen, Decision& decision) {
+  if (!is_current(seen.estimate, *tag_) || !seen.estimate->found) return assess_without_room(seen, decision);
+  const auto sweeps = static_cast<int>(state_.sweeps_in_zone);
+  if (sweeps >= config_.max_sweeps_per_zone) {
+    decision.events.push_back("enough sweeps: taking the room as it is known");
+    return begin_fix(seen, decision);
+  }
+  if (verified_) return begin_fix(seen, decision);
+  if (const auto view = next_view(seen)) return begin_look(*view, seen, decision);
+  if (sweeps == 1) {  // the cone behind the robot
+    const Pose2& pose = *seen.T_zone_base;
+    return begin_look({.pose = {pose.x_m, pose.y_m, wrap_to_pi(pose.yaw_rad + kPi)}}, seen, decision);
+  }
+  // Nothing is left that could be seen: the finer sweep tells whether the model holds.
+  begin_sweep(Purpose::kVerify, seen);
+}
+
+std::optional<View> ExplorationMachine::next_view(const Observation& seen) const {
+  const FloorMap map = drive_.floor_map(seen, trodden_);
+  const Reach reach(map, drive_.config().planner, seen.T_zone_base->translation());
+  ViewWish wish;
+  if (state_.sweeps_in_zone == 1) wish.other_than_yaw_rad = first_yaw_rad_;
+  const bool found = is_current(seen.estimate, *tag_) && seen.estimate->found;
+  const Rectangle area = found ? seen.estimate->rectangle : surroundings(seen.T_zone_base->translation());
+  const auto worth =
+      found ? targets_.find(*seen.grid, *seen.estimate) : targets_.find_floor(*seen.grid, area);
+  return views_.best(*seen.grid, reach, area, worth, *seen.T_zone_base, wish);
+}
+
+void ExplorationMachine::assess_without_room(const Observation& seen, Decision& decision) {
+  const auto sweeps = static_cast<int>(state_.sweeps_in_zone);
+  if (sweeps >= config_.looks_without_room) {
+    return get_stuck("no rectangle fits what is seen in zone " + std::to_string(tag_->zone_id) + " after " +
+                         counted(sweeps, "sweep"),
+                     seen, decision);
+  }
+  const Pose2& pose = *seen.T_zone_base;
+  const View turned{.pose = {pose.x_m, pose.y_m, wrap_to_pi(pose.yaw_rad + (sweeps == 1 ? kPi : 0.5 * kPi))}};
+  begin_look(sweeps == 1 ? turned : next_view(seen).value_or(turned), seen, decision);
+}
+
+void ExplorationMachine::begin_look(const View& view, const Observation& seen, Decision& decision) {
+  const std::string activity =
+      "looking from " + place_of(view.pose.translation()) + " towards the " + compass(view.pose.yaw_rad);
+  decision.events.push_back(activity);
+  drive_.begin(view.pose, trodden_);
+  go_to(Step::kLook, ExplorationPhase::kLooking, activity, seen);
+  state_.goal = view.pose;
+}
+
+void ExplorationMachine::look(const Observation& seen, Decision& decision) {
+  const DriveStatus status = drive_.update(seen, decision);
+  if (status == DriveStatus::kDriving) return;
+  if (status == DriveStatus::kFailed) decision.warnings.push_back("cannot get there: looking from here");
+  begin_sweep(Purpose::kModel, seen);
+}
+
+void ExplorationMachine::begin_fix(const Observation& seen, Decision& decision) {
+  decision.events.push_back("the room is " + std::string(verified_ ? "stable" : "not stable") + ", " +
+                            size_of(seen.estimate->rectangle) + ": fixing it");
+  decision.fix_room = FixRoomRequest{.call = {}, .estimate = *seen.estimate};
+  go_to(Step::kFix, ExplorationPhase::kFixing, "putting the room into the graph", seen);
+}
+
+void ExplorationMachine::fix(const Observation& seen, Decision& decision) {
+  if (!seen.fixed) return;  // asked again until answered
+  if (seen.fixed->accepted) {
+    decision.events.push_back("this is room " + std::to_string(seen.fixed->room));
+    return go_to(Step::kAwaitRoom, ExplorationPhase::kFixing, "waiting for the room in the graph", seen);
+  }
+  decision.warnings.push_back("the room was refused: " + seen.fixed->message);
+  verified_ = false;
+  if (static_cast<int>(state_.sweeps_in_zone) < config_.max_sweeps_per_zone)
+    return begin_sweep(Purpose::kModel, seen);
+  get_stuck("the room cannot be fixed: " + seen.fixed->message, seen, decision);
+}
+
+void ExplorationMachine::await_room(const Observation& seen) {
+  if (current_room(seen))
+    return go_to(Step::kChooseDoor, ExplorationPhase::kApproaching, "choosing a door", seen);
+  // The answer came, but neither zone nor map: they are latched and will be there when topoGraph is.
+  if (waited_s(config_.answer_wait_s, seen)) begin_sweep(Purpose::kModel, seen);
+}
+
+}  // namespace enfilade::explorer
