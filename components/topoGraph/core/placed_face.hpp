@@ -17,8 +17,8 @@ PlacedFace place(const Rectangle& rectangle, const WallInterval& gap);
 PlacedFace place(const Room& room, const DoorFace& face);
 
 struct FaceMatchConfig {
-  double max_distance_m = 0.6;           ///< between the midpoints of the two faces of one door
-  double max_angle_rad = radians(30.0);  ///< by which the walls of the two faces may miss being parallel
+  double max_distance_m = 0.6;    ///< between the midpoints of the two faces of one door
+  double max_angle_rad = 0.5236;  ///< 30°: by which the walls of the two faces may miss being parallel
 };
 
 /// Whether the normals are opposite within `max_angle_rad`.
