@@ -52,6 +52,7 @@ class Component : public Lifecycle {
   void go_to_restore() override;
   bool in_emergency() const override { return state_ == LifecycleState::kEmergency; }
 
+  const std::string& name() const { return config_.name; }
   LifecycleState state() const { return state_; }
   std::uint64_t cycles() const { return cycles_; }
   /// Exceptions that have led to emergency.
