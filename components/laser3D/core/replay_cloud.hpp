@@ -16,11 +16,12 @@ struct ReplayCloudConfig {
   FloorEstimatorConfig floor;
 };
 
-/// A recorded cloud made to look like lines of a robot's scanner: the robot stands under the scanner, the
-/// floor is z = 0.
+/// A recorded cloud made to look like lines of a robot's scanner: levelled, the robot under the scanner, the
+/// floor at z = 0.
 struct ReplayCloud {
   std::vector<std::vector<Point3f>> lines;
   double scanner_height_m = 0.0;
+  double tilt_rad = 0.0;         ///< how much the scanner leaned, before the cloud was levelled
   std::uint64_t points = 0;      ///< in all lines
   std::uint64_t near_floor = 0;  ///< dropped
 };

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "components/laser3D/node/frames.hpp"
+#include "interfaces/geometry/angles.hpp"
 
 namespace enfilade::laser_3d {
 namespace {
@@ -21,10 +22,10 @@ FileBytes read_file(const std::string& name) {
   return {name, std::move(bytes)};
 }
 
-std::string in_metres(double value_m) {
-  std::string text = std::to_string(value_m);
+std::string two_decimals(double value) {
+  std::string text = std::to_string(value);
   text.resize(text.find('.') + 3);
-  return text + " m";
+  return text;
 }
 
 }  // namespace
@@ -41,8 +42,9 @@ void CloudReplay::start(const Publisher<PointCloud>& points, const Publisher<Tra
   cloud_ = std::move(*cloud);
   points_ = &points;
   opened_ns_ = context_.clock.now_ns();
-  context_.log.info("replay of " + file.name + ": floor " + in_metres(cloud_.scanner_height_m) +
-                    " below the scanner, " + std::to_string(cloud_.points) + " points to play, " +
+  context_.log.info("replay of " + file.name + ": floor " + two_decimals(cloud_.scanner_height_m) +
+                    " m below the scanner, which leaned by " + two_decimals(degrees(cloud_.tilt_rad)) +
+                    " degrees; " + std::to_string(cloud_.points) + " points to play, " +
                     std::to_string(cloud_.near_floor) + " near the floor dropped");
   tf_static.publish(mount_transform(opened_ns_, 0.0, 0.0, cloud_.scanner_height_m));
   context_.executor.every(from_seconds(config_.line_period_s / config_.rate), [this] { step(); });

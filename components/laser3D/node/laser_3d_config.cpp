@@ -26,7 +26,7 @@ void bind(ConfigBinder& c, FloorEstimatorConfig& floor) {
   c.number("reach_m", floor.reach_m, 0.5, 100.0);
   c.number("least_below_m", floor.least_below_m, 0.0, 5.0);
   c.number("strong_share", floor.strong_share, 0.01, 1.0);
-  c.number("refine_m", floor.refine_m, 0.005, 0.5);
+  c.number("max_tilt_rad", floor.max_tilt_rad, 0.0, 0.5);
 }
 
 void bind(ConfigBinder& c, ReplayConfig& replay) {
