@@ -13,6 +13,7 @@ namespace enfilade::simulator {
 namespace {
 
 constexpr std::size_t kPacket = 8;
+constexpr unsigned kOpaqueId = 0;
 constexpr unsigned kGlassId = 1;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
@@ -48,19 +49,18 @@ struct Mesh {
   }
 };
 
-RTCGeometry attach(RTCDevice device, RTCScene scene, const Mesh& mesh, unsigned id) {
+void attach(RTCDevice device, RTCScene scene, const Mesh& mesh, unsigned id) {
+  if (mesh.triangles.empty()) return;
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                           sizeof(Vertex), std::max<std::size_t>(mesh.vertices.size(), 1));
-  void* triangles =
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(Triangle),
-                              std::max<std::size_t>(mesh.triangles.size(), 1));
+                                           sizeof(Vertex), mesh.vertices.size());
+  void* triangles = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                            sizeof(Triangle), mesh.triangles.size());
   std::memcpy(vertices, mesh.vertices.data(), mesh.vertices.size() * sizeof(Vertex));
   std::memcpy(triangles, mesh.triangles.data(), mesh.triangles.size() * sizeof(Triangle));
   rtcCommitGeometry(geometry);
   rtcAttachGeometryByID(scene, geometry, id);
-  rtcReleaseGeometry(geometry);
-  return geometry;  // the scene keeps it alive
+  rtcReleaseGeometry(geometry);  // the scene keeps it alive
 }
 
 /// Rays beyond the end of the list point nowhere and are masked out.
@@ -83,34 +83,26 @@ class RayScene::Impl {
  public:
   explicit Impl(const World& world) : device_(rtcNewDevice("threads=1")) {
     if (!device_) throw std::runtime_error("Embree cannot start on this CPU: it needs SSE2 at least");
-    fixed_ = new_scene(RTC_BUILD_QUALITY_HIGH);
-    moving_ = new_scene(RTC_BUILD_QUALITY_LOW);
-    add_fixed(world);
-    add_moving(world);
+    Mesh opaque, glass;
+    for (const Solid& solid : world.solids) (solid.glass ? glass : opaque).add(solid);
+    fixed_ = new_scene(opaque, glass);
+    for (const MovingSolid& moving : world.moving) {
+      Mesh mesh;
+      mesh.add(moving.solid);
+      moving_.push_back({new_scene(mesh, {}), moving.waypoints.front().cast<float>()});
+    }
   }
 
   ~Impl() {
+    for (const Mover& mover : moving_) rtcReleaseScene(mover.scene);
     rtcReleaseScene(fixed_);
-    rtcReleaseScene(moving_);
     rtcReleaseDevice(device_);
   }
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
   void place_moving(std::span<const Point2> positions) {
-    if (meshes_.empty()) return;
-    for (std::size_t i = 0; i < meshes_.size(); ++i) {
-      auto* vertices =
-          static_cast<Vertex*>(rtcGetGeometryBufferData(geometries_[i], RTC_BUFFER_TYPE_VERTEX, 0));
-      const float x = static_cast<float>(positions[i].x()), y = static_cast<float>(positions[i].y());
-      for (std::size_t v = 0; v < meshes_[i].vertices.size(); ++v) {
-        const Vertex& at = meshes_[i].vertices[v];
-        vertices[v] = {at.x + x, at.y + y, at.z};
-      }
-      rtcUpdateGeometryBuffer(geometries_[i], RTC_BUFFER_TYPE_VERTEX, 0);
-      rtcCommitGeometry(geometries_[i]);
-    }
-    rtcCommitScene(moving_);
+    for (std::size_t i = 0; i < moving_.size(); ++i) moving_[i].position = positions[i].cast<float>();
   }
 
   void cast(std::span<const Ray> rays, std::span<float> distances_m) const {
@@ -123,52 +115,47 @@ class RayScene::Impl {
       const std::size_t count = std::min(kPacket, rays.size() - first);
       load(rays.subspan(first, count), packet, valid);
       rtcIntersect8(valid, fixed_, &context, &packet);
-      unsigned fixed_id[kPacket];
-      std::copy_n(packet.hit.geomID, kPacket, fixed_id);
-      if (!meshes_.empty()) {
-        std::fill_n(packet.hit.geomID, kPacket, RTC_INVALID_GEOMETRY_ID);
-        rtcIntersect8(valid, moving_, &context, &packet);
-      }
-      for (std::size_t i = 0; i < count; ++i) {
-        const bool mover = !meshes_.empty() && packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
-        const bool glass = !mover && fixed_id[i] == kGlassId;
-        distances_m[first + i] = glass ? kInfinity : packet.ray.tfar[i];
-      }
+      for (const Mover& mover : moving_) intersect(mover, valid, context, packet);
+      for (std::size_t i = 0; i < count; ++i)
+        distances_m[first + i] = packet.hit.geomID[i] == kGlassId ? kInfinity : packet.ray.tfar[i];
     }
   }
 
  private:
-  RTCScene new_scene(RTCBuildQuality quality) const {
+  struct Mover {
+    RTCScene scene;
+    Eigen::Vector2f position;
+  };
+
+  RTCScene new_scene(const Mesh& opaque, const Mesh& glass) const {
     RTCScene scene = rtcNewScene(device_);
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
-    rtcSetSceneBuildQuality(scene, quality);
+    rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
+    attach(device_, scene, opaque, kOpaqueId);
+    attach(device_, scene, glass, kGlassId);
+    rtcCommitScene(scene);
     return scene;
   }
 
-  void add_fixed(const World& world) {
-    Mesh opaque, glass;
-    for (const Solid& solid : world.solids) (solid.glass ? glass : opaque).add(solid);
-    attach(device_, fixed_, opaque, 0);
-    if (!glass.triangles.empty()) attach(device_, fixed_, glass, kGlassId);
-    rtcCommitScene(fixed_);
-  }
-
-  void add_moving(const World& world) {
-    std::vector<Point2> starts;
-    for (const MovingSolid& moving : world.moving) {
-      Mesh& mesh = meshes_.emplace_back();
-      mesh.add(moving.solid);
-      geometries_.push_back(attach(device_, moving_, mesh, static_cast<unsigned>(meshes_.size()) - 1));
-      starts.push_back(moving.waypoints.front());
+  /// The rays go to the mover's frame and back, so that nothing is built anew when it walks. A nearer hit
+  /// takes the place of an earlier one.
+  static void intersect(const Mover& mover, const int* valid, RTCIntersectContext& context,
+                        RTCRayHit8& packet) {
+    alignas(32) float x[kPacket], y[kPacket];
+    std::copy_n(packet.ray.org_x, kPacket, x);
+    std::copy_n(packet.ray.org_y, kPacket, y);
+    for (std::size_t i = 0; i < kPacket; ++i) {
+      packet.ray.org_x[i] -= mover.position.x();
+      packet.ray.org_y[i] -= mover.position.y();
     }
-    place_moving(starts);
+    rtcIntersect8(valid, mover.scene, &context, &packet);
+    std::copy_n(x, kPacket, packet.ray.org_x);
+    std::copy_n(y, kPacket, packet.ray.org_y);
   }
 
   RTCDevice device_;
   RTCScene fixed_ = nullptr;
-  RTCScene moving_ = nullptr;
-  std::vector<Mesh> meshes_;  ///< of the moving solids, about their origin
-  std::vector<RTCGeometry> geometries_;
+  std::vector<Mover> moving_;
 };
 
 RayScene::RayScene(const World& world) : impl_(std::make_unique<Impl>(world)) {}

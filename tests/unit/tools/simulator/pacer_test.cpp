@@ -90,7 +90,7 @@ TEST(CreditPacer, WaitsForADeadReaderOnlyForItsLifetime) {
   rig.run_for(0.9, all_but_one);
   EXPECT_LE(seconds(rig.world_ns), 0.1);
   rig.run_for(5.0, all_but_one);
-  EXPECT_NEAR(seconds(rig.world_ns), 5.0, 0.1);
+  EXPECT_NEAR(seconds(rig.world_ns), 5.0, 0.15);
 }
 
 TEST(CreditPacer, DoesNotCatchUpWhatSlowReadersCost) {

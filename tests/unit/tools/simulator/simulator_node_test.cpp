@@ -28,9 +28,10 @@ TEST(SimulatorConfig, TheShippedFileHoldsEveryKeyWithItsDefault) {
   const YAML::Node file = YAML::LoadFile(kEtc + "simulator.yaml");
   const YAML::Node all = YAML::Load(defaults);
   EXPECT_EQ(file.size(), all.size());
-  for (const auto& entry : all)
-    if (entry.second.IsMap())
-      EXPECT_EQ(file[entry.first.Scalar()].size(), entry.second.size()) << entry.first;
+  for (const auto& entry : all) {
+    if (!entry.second.IsMap()) continue;
+    EXPECT_EQ(file[entry.first.Scalar()].size(), entry.second.size()) << entry.first;
+  }
 }
 
 TEST(SimulatorConfig, AWorldIsLookedForBesideTheConfiguration) {
