@@ -137,8 +137,8 @@ TEST_F(ProcessTest, AnExceptionInInitializeEndsItWithStatusOneAndItsSentence) {
 TEST_F(ProcessTest, AWrongConfigurationIsStatusTwoAndOneLineForEachProblem) {
   EXPECT_EQ(run({}, {"--set", "period.compute=1", "--set", "period.emergency_s=0"}), 2);
   EXPECT_EQ(said(),
-            "explorer: --set period.compute: there is no such key, did you mean period.compute_s?\n"
-            "explorer: --set period.emergency_s: 0 is out of range, write a number from 0.01 to 60\n");
+            "explorer: --set period.emergency_s: 0 is out of range, write a number from 0.01 to 60\n"
+            "explorer: --set period.compute: there is no such key, did you mean period.compute_s?\n");
 }
 
 TEST_F(ProcessTest, ASecondInstanceInTheDomainEndsWithStatusOneAndNamesTheFirst) {
