@@ -91,7 +91,8 @@ DoorEstimate describe(const Wall& wall, const Run& run, DoorState state, const D
 DoorState state_of_open(const Wall& wall, const Run& run, const DoorFinderConfig& config) {
   const double r = wall.map.resolution_m();
   const Levels foot = level_range(level_of(config.band_from_m, r), level_of(config.sill_m, r));
-  const bool reaches_down = shares_of(wall.slices, run.from, run.to, foot).free >= config.min_free_share;
+  const bool reaches_down =
+      shares_of(wall.slices, run.from, run.to, foot).free >= 0.5 * config.min_free_share;
   const bool is_wall_missing = static_cast<double>(run.size()) * r > config.max_width_m;
   return reaches_down && !is_wall_missing ? DoorState::kOpen : DoorState::kPossible;
 }

@@ -13,6 +13,8 @@ namespace enfilade::room_detector {
 namespace {
 
 constexpr double kModeBin_m = 0.03;
+constexpr double kLeastSupport =
+    0.95;  // of what the start has: a result with less has left the wall for something else
 
 /// How far each wall has to move to stand where most points within reach are: the fullest of overlapping
 /// pairs of bins.
@@ -81,6 +83,15 @@ RectangleFit result_at(std::span<const WallPoint> points, const Rectangle& r,
   return fit;
 }
 
+/// The points that can come to lie near a wall: all others need not be looked at in every iteration.
+std::vector<WallPoint> points_near(std::span<const WallPoint> points, const Rectangle& r, double distance_m) {
+  std::vector<WallPoint> near;
+  for (const WallPoint& point : points) {
+    if (sight_of(point.position, r, distance_m, -distance_m).wall >= 0) near.push_back(point);
+  }
+  return near;
+}
+
 /// A wide gate to begin with where the walls were only known coarsely.
 double first_gate(const RectangleFitConfig& config, double reach_m) {
   return std::max(config.first_gate_m, 0.5 * reach_m);
@@ -90,16 +101,18 @@ double first_gate(const RectangleFitConfig& config, double reach_m) {
 
 RectangleFitter::RectangleFitter(const RectangleFitConfig& config) : config_(config) {}
 
-std::optional<RectangleFit> RectangleFitter::fit(std::span<const WallPoint> points, const Rectangle& start,
-                                                 double reach_m) const {
+std::optional<RectangleFit> RectangleFitter::fit(std::span<const WallPoint> all_points,
+                                                 const Rectangle& start, double reach_m) const {
+  const auto points = points_near(all_points, start, 2.0 * (reach_m + config_.first_gate_m));
   const Rectangle near = moved(start, step_to_densest(points, start, reach_m, config_.corner_m));
-  const WallMatrix all = WallMatrix::Identity();
+  const WallMatrix free = WallMatrix::Identity();
   const auto from_near =
-      result_at(points, iterate<5>(points, near, config_, first_gate(config_, reach_m), all), config_);
+      result_at(points, iterate<5>(points, near, config_, first_gate(config_, reach_m), free), config_);
   const auto from_start =
-      result_at(points, iterate<5>(points, start, config_, first_gate(config_, reach_m), all), config_);
+      result_at(points, iterate<5>(points, start, config_, first_gate(config_, reach_m), free), config_);
   const auto& best = from_near.total_support() >= from_start.total_support() ? from_near : from_start;
-  if (best.total_support() < result_at(points, start, config_).total_support()) return std::nullopt;
+  if (best.total_support() < kLeastSupport * result_at(points, start, config_).total_support())
+    return std::nullopt;
   if (best.rectangle.width_m <= 0.0 || best.rectangle.height_m <= 0.0) return std::nullopt;
   return best;
 }

@@ -39,7 +39,7 @@ class RectangleFitter {
   explicit RectangleFitter(const RectangleFitConfig& config);
 
   /// Moves all four walls and α. `reach_m` is how far a wall may lie from where it is thought to be. Empty
-  /// where the points support the result less than they support the start.
+  /// where the points support the result clearly less than they support the start.
   std::optional<RectangleFit> fit(std::span<const WallPoint> points, const Rectangle& start,
                                   double reach_m) const;
   /// Moves the rectangle as a whole, sizes held (r(i+1) of eq. 18–19). Empty unless two perpendicular walls

@@ -7,7 +7,7 @@
 namespace enfilade::room_detector {
 
 struct RoomDetectorNodeConfig {
-  PeriodConfig period;
+  PeriodConfig period{.compute_s = 0.25};
   RoomDetectorConfig detector;
 };
 

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "components/roomDetector/core/door_finder.hpp"
+
+#include <gtest/gtest.h>
+
+#include "components/roomDetector/core/paper_doors.hpp"
+#include "tests/unit/components/roomDetector/ideal_room.hpp"
+
+namespace enfilade::room_detector {
+namespace {
+
+// Wall 0 is x = +2, running from (2, -1.5) to (2, 1.5): y = -0.5 … 0.4 is 1.0 … 1.9 m along it.
+constexpr Rectangle kRoom{0.0, 0.0, 0.0, 4.05, 3.05};
+bool in_gap(double x, double y) { return x > 2.0 && y > -0.5 && y < 0.4; }
+
+WallGaps gaps_of(const std::function<CellState(double, double, double)>& wall_state,
+                 double resolution_m = 0.05) {
+  ColumnMap map;
+  map.clear(resolution_m);
+  map.apply(test::ideal_room(wall_state, resolution_m).cells);
+  const Rectangle room{0.0, 0.0, 0.0, 4.0 + resolution_m,
+                       3.0 + resolution_m};  // through the middle of the wall cells
+  return DoorFinder({}).find(map, room);
+}
+
+TEST(DoorFinder, FindsADoorWithItsEndsAndItsLintel) {
+  const auto gaps = gaps_of([](double x, double y, double z) {
+    return in_gap(x, y) && z < 2.0 ? CellState::kFree : CellState::kOccupied;
+  });
+  ASSERT_EQ(gaps.doors.size(), 1u);
+  const DoorEstimate& door = gaps.doors[0];
+  EXPECT_EQ(door.state, DoorState::kOpen);
+  EXPECT_EQ(door.gap.wall, 0);
+  EXPECT_NEAR(door.gap.from_m, 1.025, 0.026);
+  EXPECT_NEAR(door.gap.to_m, 1.925, 0.026);
+  ASSERT_TRUE(door.height_m);
+  EXPECT_NEAR(*door.height_m, 2.0, 1e-9);
+  EXPECT_GT(door.evidence.beyond_free_cells, 0u);
+  EXPECT_EQ(door.evidence.beyond_occupied_cells, 0u);
+  EXPECT_NEAR(gaps.unexplored_share, 0.0, 0.03);
+}
+
+TEST(DoorFinder, CallsWhatWasNotObservedUnexploredAndNotADoor) {
+  const auto gaps = gaps_of([](double x, double y, double) {
+    return in_gap(x, y) ? CellState::kUnexplored : CellState::kOccupied;
+  });
+  ASSERT_EQ(gaps.doors.size(), 1u);
+  EXPECT_EQ(gaps.doors[0].state, DoorState::kUnexplored);
+  EXPECT_NEAR(gaps.unexplored_share, 0.9 / 14.0, 0.02);
+}
+
+TEST(DoorFinder, DoesNotTakeAWindowForADoor) {
+  const auto gaps = gaps_of([](double x, double y, double z) {
+    return in_gap(x, y) && z > 0.9 && z < 2.0 ? CellState::kFree : CellState::kOccupied;
+  });
+  EXPECT_TRUE(gaps.doors.empty());
+}
+
+TEST(DoorFinder, OnlyDeemsAnOpeningPossibleWhoseFootIsHidden) {
+  const auto gaps = gaps_of([](double x, double y, double z) {
+    if (!in_gap(x, y)) return CellState::kOccupied;
+    return z > 0.9 ? CellState::kFree : CellState::kUnexplored;
+  });
+  ASSERT_EQ(gaps.doors.size(), 1u);
+  EXPECT_EQ(gaps.doors[0].state, DoorState::kPossible);
+}
+
+TEST(DoorFinder, TellsADoorFromTheUnexploredWallBesideIt) {
+  const auto gaps = gaps_of([](double x, double y, double) {
+    if (in_gap(x, y)) return CellState::kFree;
+    return x > 2.0 && y > 0.4 && y < 1.0 ? CellState::kUnexplored : CellState::kOccupied;
+  });
+  ASSERT_EQ(gaps.doors.size(), 2u);
+  EXPECT_EQ(gaps.doors[0].state, DoorState::kOpen);
+  EXPECT_NEAR(gaps.doors[0].gap.width_m(), 0.9, 0.06);
+  EXPECT_EQ(gaps.doors[1].state, DoorState::kUnexplored);
+  EXPECT_NEAR(gaps.doors[1].gap.width_m(), 0.6, 0.06);
+}
+
+TEST(DoorFinder, FindsTheSameDoorAtAnotherResolution) {
+  const auto gaps =
+      gaps_of([](double x, double y,
+                 double z) { return in_gap(x, y) && z < 2.0 ? CellState::kFree : CellState::kOccupied; },
+              0.1);
+  ASSERT_EQ(gaps.doors.size(), 1u);
+  EXPECT_EQ(gaps.doors[0].state, DoorState::kOpen);
+  EXPECT_NEAR(gaps.doors[0].gap.width_m(), 0.9, 0.11);
+}
+
+TEST(PaperDoors, AreTheSegmentsWithoutPoints) {
+  ColumnMap map;
+  map.clear(0.05);
+  map.apply(test::ideal_room([](double x, double y, double) {
+              return in_gap(x, y) ? CellState::kUnexplored : CellState::kOccupied;
+            }).cells);
+  const auto doors = find_paper_doors(map, HoughLattice(HoughConfig{}), Point2::Zero(), kRoom, {});
+  ASSERT_EQ(doors.size(), 1u);
+  EXPECT_NEAR(doors[0].gap.from_m, 1.025, 0.026);
+  EXPECT_NEAR(doors[0].gap.to_m, 1.925, 0.026);
+}
+
+TEST(PaperDoors, AreNotFoundUnderALintel) {
+  ColumnMap map;
+  map.clear(0.05);
+  map.apply(test::ideal_room([](double x, double y, double z) {
+              return in_gap(x, y) && z < 2.0 ? CellState::kFree : CellState::kOccupied;
+            }).cells);
+  EXPECT_TRUE(find_paper_doors(map, HoughLattice(HoughConfig{}), Point2::Zero(), kRoom, {}).empty());
+}
+
+}  // namespace
+}  // namespace enfilade::room_detector

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "components/roomDetector/core/room_detector.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/components/roomDetector/sim_room.hpp"
+
+namespace enfilade::room_detector {
+namespace {
+
+constexpr test::SimScanConfig kCoarse{.roll_step_deg = 3.0, .beam_step_deg = 1.0};
+
+/// The detector after sweeps in place, `turns` of them a quarter turn apart.
+Detection detect(const test::SimRoom& room, int turns, RoomDetectorConfig config = {},
+                 double resolution_m = 0.05) {
+  RoomDetector detector(config);
+  test::SimGrid grid(resolution_m);
+  detector.clear(resolution_m);
+  Pose2 T_zone_base;
+  for (int turn = 0; turn < turns; ++turn) {
+    T_zone_base = room.T_zone_room * Pose2{0.1, -0.2, 0.4 + 0.5 * kPi * turn};
+    for (const ScanHits& line : grid.sweep(room, T_zone_base, kCoarse)) detector.add_hits(line);
+    detector.update(grid.changes());
+  }
+  return detector.estimate(T_zone_base);
+}
+
+test::SimRoom paper_room(const Pose2& T_zone_room = {}) {
+  return test::RoomBuilder(4.20, 3.78, 2.6)
+      .at(T_zone_room)
+      .door(2, 1.4, 2.3)
+      .box(1.0, 1.2, 2.1, 1.89, 1.2)
+      .build();
+}
+
+void expect_same(const Rectangle& a, const Rectangle& b, double tolerance) {
+  const Rectangle p = canonical(a).rectangle, q = canonical(b).rectangle;
+  EXPECT_GT(iou(p, q), 1.0 - 2.0 * tolerance);
+  EXPECT_NEAR(std::max(p.width_m, p.height_m), std::max(q.width_m, q.height_m), tolerance);
+  EXPECT_NEAR(std::min(p.width_m, p.height_m), std::min(q.width_m, q.height_m), tolerance);
+}
+
+TEST(RoomDetector, MeasuresAFurnishedRoomToMillimetres) {
+  const auto room = paper_room();
+  const auto d = detect(room, 2);
+  ASSERT_TRUE(d.estimate.found);
+  EXPECT_TRUE(d.diagnostics.above_furniture);
+  expect_same(d.estimate.rectangle, room.rectangle(), 0.005);
+  ASSERT_TRUE(d.estimate.recent);
+  expect_same(*d.estimate.recent, room.rectangle(), 0.01);
+}
+
+TEST(RoomDetector, RotatesAndShiftsWithTheWorld) {
+  const auto at_home = detect(paper_room(), 2);
+  for (const Pose2& T : {Pose2{3.0, -2.0, 0.3}, Pose2{-1.7, 4.1, -1.1}}) {
+    const auto d = detect(paper_room(T), 2);
+    ASSERT_TRUE(d.estimate.found);
+    expect_same(d.estimate.rectangle, T * at_home.estimate.rectangle, 0.01);
+  }
+}
+
+TEST(RoomDetector, WorksAtThePapersSamplingStep) {
+  RoomDetectorConfig config;
+  for (const double step : {0.02, 0.27, 0.5}) {
+    config.hough.step_m = step;
+    const auto room = paper_room({0.3, 0.2, 0.1});
+    const auto d = detect(room, 2, config);
+    ASSERT_TRUE(d.estimate.found) << step;
+    expect_same(d.estimate.rectangle, room.rectangle(), 0.02);
+  }
+}
+
+TEST(RoomDetector, DoesNotDependOnTheResolutionOfTheGrid) {
+  const auto room = paper_room({0.3, 0.2, 0.1});
+  const auto d = detect(room, 2, {}, 0.08);
+  ASSERT_TRUE(d.estimate.found);
+  expect_same(d.estimate.rectangle, room.rectangle(), 0.01);
+}
+
+TEST(RoomDetector, FallsBackToAllHeightsBetweenLowWalls) {
+  const auto room = test::RoomBuilder(4.0, 3.0, 1.2).build();
+  const auto d = detect(room, 2);
+  ASSERT_TRUE(d.estimate.found);
+  EXPECT_FALSE(d.diagnostics.above_furniture);
+  expect_same(d.estimate.rectangle, room.rectangle(), 0.02);
+}
+
+TEST(RoomDetector, FindsMostFurnishedRoomsAfterTwoSweeps) {
+  int right = 0, doors = 0, false_doors = 0;
+  constexpr unsigned kRooms = 6;
+  for (unsigned seed = 0; seed < kRooms; ++seed) {
+    const auto room = test::RandomRooms(seed + 300).next();
+    const auto d = detect(room, 2);
+    if (!d.estimate.found || iou(d.estimate.rectangle, room.rectangle()) < 0.9) continue;
+    ++right;
+    for (const DoorEstimate& door : d.estimate.doors) {
+      if (door.state != DoorState::kOpen) continue;
+      const Point2 at = segment_of(d.estimate.rectangle, door.gap).midpoint();
+      const bool is_true = std::any_of(room.doors.begin(), room.doors.end(), [&](const WallInterval& gap) {
+        return (segment_of(room.rectangle(), gap).midpoint() - at).norm() < 0.3;
+      });
+      ++(is_true ? doors : false_doors);
+    }
+  }
+  EXPECT_EQ(right, 6);
+  EXPECT_GE(doors, 8);
+  EXPECT_LE(false_doors, 1);
+}
+
+TEST(RoomDetector, FindsNothingInNothing) {
+  RoomDetector detector({});
+  detector.clear(0.05);
+  EXPECT_FALSE(detector.estimate(std::nullopt).estimate.found);
+}
+
+}  // namespace
+}  // namespace enfilade::room_detector
