@@ -12,7 +12,7 @@
 namespace enfilade::laser_3d {
 namespace {
 
-constexpr float kInf = std::numeric_limits<float>::infinity();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr std::size_t kBeams = 1081;
 const ScanProjectorConfig kConfig{};
 
@@ -75,7 +75,7 @@ TEST(ScanProjector, PointsOfARoomLieOnItsFaces) {
 }
 
 TEST(ScanProjector, PositiveRollLiftsTheBeamsToTheLeft) {
-  RolledLine line = blank_line(kInf, radians(30.0));
+  RolledLine line = blank_line(kInfinity, radians(30.0));
   line.scan.ranges_m[900] = 2.0f;  // 90 degrees: left
   const ProjectedLine out = ScanProjector(kConfig).project(line);
   ASSERT_EQ(out.points.size(), 1u);
@@ -87,10 +87,10 @@ TEST(ScanProjector, PositiveRollLiftsTheBeamsToTheLeft) {
 TEST(ScanProjector, DropsWhatIsNoMeasurement) {
   RolledLine line = blank_line(2.0f);
   line.scan.ranges_m[10] = std::numeric_limits<float>::quiet_NaN();
-  line.scan.ranges_m[20] = -kInf;
+  line.scan.ranges_m[20] = -kInfinity;
   line.scan.ranges_m[30] = 0.05f;
   line.scan.ranges_m[40] = 30.5f;
-  line.scan.ranges_m[50] = kInf;
+  line.scan.ranges_m[50] = kInfinity;
   const ProjectedLine out = ScanProjector(kConfig).project(line);
   EXPECT_EQ(out.points.size(), kBeams - 5);
   EXPECT_EQ(out.diagnostics.invalid, 4u);
@@ -100,7 +100,7 @@ TEST(ScanProjector, DropsWhatIsNoMeasurement) {
 
 TEST(ScanProjector, DropsReturnsFromTheRobotItself) {
   // Rolled by -90°, a beam at 90° points straight down onto the robot's lid: 0.60 - 0.40 m below the laser.
-  RolledLine line = blank_line(kInf, radians(-90.0));
+  RolledLine line = blank_line(kInfinity, radians(-90.0));
   line.scan.ranges_m[900] = 0.20f;
   ProjectedLine out = ScanProjector(kConfig).project(line);
   EXPECT_TRUE(out.points.empty());
@@ -114,7 +114,7 @@ TEST(ScanProjector, ARunOfBeamsWithoutReturnShowsFreeSpaceAndAShorterOneNothing)
   const ScanProjector projector(kConfig);
   const auto free_ends_of = [&](std::size_t from, std::size_t beams) {
     RolledLine line = blank_line(2.0f);
-    for (std::size_t i = from; i < from + beams; ++i) line.scan.ranges_m[i] = kInf;
+    for (std::size_t i = from; i < from + beams; ++i) line.scan.ranges_m[i] = kInfinity;
     return projector.project(line).free_ends;
   };
   EXPECT_TRUE(free_ends_of(500, 7).empty());
@@ -127,9 +127,9 @@ TEST(ScanProjector, ARunOfBeamsWithoutReturnShowsFreeSpaceAndAShorterOneNothing)
 }
 
 TEST(ScanProjector, AnythingButNoReturnBreaksARun) {
-  for (const float breaker : {2.0f, -kInf, std::numeric_limits<float>::quiet_NaN(), 0.01f}) {
+  for (const float breaker : {2.0f, -kInfinity, std::numeric_limits<float>::quiet_NaN(), 0.01f}) {
     RolledLine line = blank_line(2.0f);
-    for (std::size_t i = 500; i < 515; ++i) line.scan.ranges_m[i] = kInf;
+    for (std::size_t i = 500; i < 515; ++i) line.scan.ranges_m[i] = kInfinity;
     line.scan.ranges_m[507] = breaker;
     EXPECT_TRUE(ScanProjector(kConfig).project(line).free_ends.empty()) << breaker;
   }
