@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The main job composed in one process: the paper's two rooms, whatever the seed."""
+import json
+import statistics
+import unittest
+
+from support import FULL, PAPER_WORLD, Finished, explore, without_wall_time
+
+SEEDS = range(1, 21) if FULL else range(1, 6)
+
+
+class PaperRooms(Finished):
+    def explore_all_seeds(self, step_m, worst_mean_m):
+        errors = []
+        for seed in SEEDS:
+            with self.subTest(step_m=step_m, seed=seed):
+                report = json.loads(explore(PAPER_WORLD, "--seed", seed, "--set", f"roomDetector.step_m={step_m}"))
+                self.assert_explored(report)
+                self.assertEqual({door["kind"] for door in report["doors"]}, {"passage", "exit"})
+                errors.append(report["metrics"]["size_error_mean_m"])
+        self.assertLessEqual(statistics.mean(errors), worst_mean_m)
+
+    def test_every_room_and_door_is_found_at_the_papers_sampling_step(self):
+        self.explore_all_seeds(0.27, 0.09)
+
+    def test_every_room_and_door_is_found_at_five_centimetres(self):
+        self.explore_all_seeds(0.05, 0.03)
+
+
+class Repeatability(unittest.TestCase):
+    def test_same_seed_gives_the_same_report_and_so_does_the_wire(self):
+        first = without_wall_time(explore(PAPER_WORLD, "--seed", 3))
+        self.assertEqual(first, without_wall_time(explore(PAPER_WORLD, "--seed", 3)))
+        self.assertEqual(first, without_wall_time(explore(PAPER_WORLD, "--seed", 3, "--wire")))
+        self.assertNotEqual(first, without_wall_time(explore(PAPER_WORLD, "--seed", 4)))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/enfilade/settings.hpp"
+
+#include <gtest/gtest.h>
+
+namespace enfilade {
+namespace {
+
+TEST(Settings, SplitsComponentFromKeyAtTheFirstDot) {
+  const Settings settings({"roomDetector.step_m=0.27", "gridBuilder.period.compute_s=0.2"});
+  EXPECT_EQ(settings.of("roomDetector"), ConfigOverrides{"step_m=0.27"});
+  EXPECT_EQ(settings.of("gridBuilder"), ConfigOverrides{"period.compute_s=0.2"});
+  EXPECT_TRUE(settings.of("explorer").empty());
+}
+
+TEST(Settings, RefusesUnknownComponentNamingTheKnownOnes) {
+  try {
+    Settings({"roomdetector.step_m=0.27"});
+    FAIL() << "accepted";
+  } catch (const ConfigError& error) {
+    EXPECT_NE(std::string(error.what()).find("roomDetector"), std::string::npos);
+  }
+  EXPECT_THROW(Settings({"step_m=0.27"}), ConfigError);
+  EXPECT_THROW(Settings({"roomDetector.step_m"}), ConfigError);
+}
+
+}  // namespace
+}  // namespace enfilade

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "interfaces/runtime/component_log.hpp"
+#include "tools/enfilade/report/report.hpp"
+#include "tools/enfilade/settings.hpp"
+
+namespace enfilade {
+
+struct ComposedRunOptions {
+  std::string world;                  ///< file
+  std::optional<std::uint64_t> seed;  ///< of the simulator; none = as configured
+  Settings settings;
+  bool through_wire = false;  ///< every message makes a trip through its IDL type
+  double max_sim_time_s = 3600.0;
+  LogSink log;
+};
+
+/// Lets the six components and the simulator explore `world` in this process, on a virtual clock, until the
+/// explorer is done or the time is up. Repeatable byte for byte but for the wall time. Throws ConfigError or
+/// std::runtime_error on bad input.
+report::Report run_composed(const ComposedRunOptions& options);
+
+}  // namespace enfilade

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <clocale>
+#include <iostream>
+
+#include "tools/enfilade/verbs/verbs.hpp"
+
+/// The one command for people: `enfilade VERB …`, each verb with --help. Exit status: 0 done, 1 not done, 2
+/// wrong input.
+int main(int argc, char** argv) {
+  std::setlocale(LC_NUMERIC, "C");
+  CLI::App app("Enfilade: robots that understand buildings", "enfilade");
+  app.require_subcommand(1);
+  const std::vector<enfilade::Verb> verbs{enfilade::add_run(app), enfilade::add_demo(app)};
+  try {
+    app.parse(argc, argv);
+    for (const enfilade::Verb& verb : verbs) {
+      if (verb.command->parsed()) return verb.run();
+    }
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const std::exception& error) {
+    std::cerr << "enfilade: " << error.what() << "\n";
+    return 2;
+  }
+  return 2;
+}

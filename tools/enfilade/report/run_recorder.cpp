@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/enfilade/report/run_recorder.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "interfaces/topics/topics.hpp"
+
+namespace enfilade::report {
+namespace {
+
+constexpr float kAboveFloor_m = 0.15F;
+constexpr float kBelowCeiling_m = 2.5F;
+constexpr std::size_t kMaxPoints = 400'000;
+
+}  // namespace
+
+RunRecorder::RunRecorder(Bus& bus, const Pose2& T_world_start) : T_world_start_(T_world_start) {
+  bus.subscribe<TopologicalMap>(topics::kTopologicalMap, [this](const auto& map) { record_.map = map; });
+  bus.subscribe<RoomEstimate>(topics::kRoomEstimate, [this](const auto& estimate) { estimate_ = estimate; });
+  bus.subscribe<Odometry>(topics::kOdom, [this](const auto& odometry) { odometry_ = odometry; });
+  bus.subscribe<TransformList>(topics::kTf, [this](const auto& list) { take_transforms(list); });
+  bus.subscribe<CurrentZone>(topics::kCurrentZone, [this](const auto& zone) { take_zone(zone); });
+  bus.subscribe<ScanHits>(topics::kScanHits, [this](const auto& hits) { take_hits(hits); });
+  bus.subscribe<ExplorationState>(topics::kExplorationState,
+                                  [this](const auto& state) { take_exploration(state); });
+  bus.subscribe<GroundTruth>(topics::kGroundTruth, [this](const auto& truth) { take_ground_truth(truth); });
+}
+
+void RunRecorder::take_zone(const CurrentZone& zone) { zone_ = zone; }
+
+void RunRecorder::take_transforms(const TransformList& list) {
+  for (const StampedTransform& t : list.transforms) {
+    if (t.frame_id == "map" && t.child_frame_id == "odom") T_map_odom_ = to_pose2(t.transform);
+  }
+}
+
+void RunRecorder::take_hits(const ScanHits& hits) {
+  if (!(hits.tag == points_tag_)) {
+    points_.clear();
+    points_tag_ = hits.tag;
+  }
+  T_zone_base_ = hits.T_zone_base;
+  for (const CellHit& hit : hits.hits) {
+    if (hit.z_m < kAboveFloor_m || hit.z_m > kBelowCeiling_m || points_.size() >= kMaxPoints) continue;
+    points_.emplace_back(hit.x_m, hit.y_m);
+  }
+}
+
+void RunRecorder::take_exploration(const ExplorationState& state) {
+  const bool another_sweep = state.sweeps_total > record_.exploration.sweeps_total;
+  record_.exploration = state;
+  if (another_sweep) keep_scan(state);
+}
+
+void RunRecorder::keep_scan(const ExplorationState& state) {
+  if (!zone_ || zone_->room || !estimate_ || estimate_->tag.zone_id != state.tag.zone_id) return;
+  record_.scans[state.tag.zone_id].push_back(
+      {.title = "", .estimate = *estimate_, .points = points_, .T_zone_base = T_zone_base_});
+}
+
+void RunRecorder::take_ground_truth(const GroundTruth& truth) {
+  record_.ground_truth = truth;
+  if (!odometry_ || odometry_->stamp_ns != truth.stamp_ns) return;
+  const Pose2 T_world_base = T_world_start_ * T_map_odom_ * to_pose2(odometry_->T_odom_base);
+  const double error = (T_world_base.translation() - truth.T_world_base.translation()).norm();
+  record_.pose_error_max_m = std::max(record_.pose_error_max_m, error);
+}
+
+}  // namespace enfilade::report

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <iostream>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "tools/enfilade/composed_run.hpp"
+#include "tools/enfilade/verbs/verbs.hpp"
+
+namespace enfilade {
+namespace {
+
+struct RunArguments {
+  std::string world, json, out;
+  std::uint64_t seed = 0;
+  std::vector<std::string> settings;
+  bool wire = false, quiet = false;
+  double max_sim_time_s = 3600.0;
+};
+
+void print_event(const LogLine& line) {
+  if (line.level < 20) return;
+  std::cerr << fmt::format("{:7.1f} s  {:<12} {}\n", seconds(line.stamp_ns), line.component_name, line.text);
+}
+
+int run(const RunArguments& arguments, bool seed_given) {
+  ComposedRunOptions options{.world = arguments.world,
+                             .settings = Settings(arguments.settings),
+                             .through_wire = arguments.wire,
+                             .max_sim_time_s = arguments.max_sim_time_s};
+  if (seed_given) options.seed = arguments.seed;
+  if (!arguments.quiet) options.log = print_event;
+  const report::Report report = run_composed(options);
+  if (!arguments.out.empty()) report::write_files(report, arguments.out);
+  if (!arguments.json.empty()) report::write_file(arguments.json, report::to_json(report));
+  std::cout << report::to_table(report);
+  if (report.record.finished()) return 0;
+  std::cerr << fmt::format("enfilade run: the exploration did not finish: {}\n",
+                           report.record.ended() ? report.record.exploration.activity : "time is up");
+  return 1;
+}
+
+}  // namespace
+
+Verb add_run(CLI::App& app) {
+  auto arguments = std::make_shared<RunArguments>();
+  CLI::App* command = app.add_subcommand("run",
+                                         "Explore a world with simulator and components in this process, on "
+                                         "a virtual clock, repeatable to the byte");
+  command->add_option("world", arguments->world, "World file (etc/worlds/*.yaml, or a map_server map.yaml)")
+      ->required();
+  CLI::Option* seed = command->add_option("--seed", arguments->seed, "Seed of the simulator's noise");
+  command->add_option("--json", arguments->json, "Write the report to this file");
+  command->add_option("--out", arguments->out, "Write report.json and the pictures into this folder");
+  command
+      ->add_option("--set", arguments->settings,
+                   "COMPONENT.KEY=VALUE: override one configuration key; may be repeated")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--max-sim-time", arguments->max_sim_time_s, "Give up after this many simulated seconds")
+      ->check(CLI::PositiveNumber);
+  command->add_flag("--wire", arguments->wire, "Serialise every message through its IDL type on the way");
+  command->add_flag("--quiet", arguments->quiet, "Print only the closing table");
+  return {command, [arguments, seed] { return run(*arguments, seed->count() > 0); }};
+}
+
+}  // namespace enfilade

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+
+#include <CLI/CLI.hpp>
+
+namespace enfilade {
+
+/// A verb adds its subcommand to `app` and returns what to call when it was chosen; that returns the exit
+/// status.
+struct Verb {
+  CLI::App* command = nullptr;
+  std::function<int()> run;
+};
+
+/// `enfilade run WORLD`: simulator and components in one process, faster than real time.
+Verb add_run(CLI::App& app);
+/// `enfilade demo`: simulator and components as processes on DDS.
+Verb add_demo(CLI::App& app);
+
+}  // namespace enfilade
