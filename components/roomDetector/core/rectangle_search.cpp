@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 #include "components/roomDetector/core/plane_search.hpp"
@@ -48,7 +49,10 @@ std::vector<Angle> angles_by_bound(const HoughSpace& space, const SearchConfig& 
 
 }  // namespace
 
-RectangleSearch::RectangleSearch(const SearchConfig& config) : config_(config) {}
+RectangleSearch::RectangleSearch(const SearchConfig& config) : config_(config) {
+  if (config.side_min_m >= config.side_max_m)
+    throw std::invalid_argument("side_min_m must be less than side_max_m");
+}
 
 std::optional<SearchResult> RectangleSearch::find_best(const HoughSpace& space,
                                                        const std::optional<Point2>& robot) {

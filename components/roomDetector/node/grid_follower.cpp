@@ -22,7 +22,9 @@ void GridFollower::take_change(const GridChange& change) {
 }
 
 void GridFollower::take_snapshot(const GridChange& snapshot) {
-  if (tag_ && *tag_ == snapshot.tag && snapshot.sequence < sequence_) return;  // an answer that comes late
+  const bool follows_stream = tag_ && !is_waiting_;
+  if (follows_stream || snapshot.resolution_m <= 0.0) return;
+  if (tag_ && !(*tag_ == snapshot.tag)) return handlers_.ask_for_snapshot();  // of a grid that is no more
   begin(snapshot);
   apply(snapshot);
   is_waiting_ = false;

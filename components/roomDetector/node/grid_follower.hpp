@@ -22,6 +22,7 @@ class GridFollower {
   explicit GridFollower(Handlers handlers) : handlers_(std::move(handlers)) {}
 
   void take_change(const GridChange& change);
+  /// Used only where one is needed: at the start, and after a gap.
   void take_snapshot(const GridChange& snapshot);
 
   /// What the grid is made from; empty before the first message.

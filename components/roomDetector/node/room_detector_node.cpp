@@ -25,7 +25,10 @@ void RoomDetectorNode::initialize() {
 void RoomDetectorNode::compute() {
   if (!has_news_ || grid_.is_waiting() || !grid_.tag()) return;
   has_news_ = false;
-  RoomEstimate estimate = detector_.estimate(T_zone_base_).estimate;
+  Detection detection = detector_.estimate(T_zone_base_);
+  if (detection.diagnostics.search.gap > 0)
+    context_.log.debug("the best rectangle is not proven: max_expansions reached");
+  RoomEstimate& estimate = detection.estimate;
   estimate.tag = *grid_.tag();
   estimate.grid_sequence = grid_.sequence();
   estimate.stamp_ns = std::max(grid_stamp_ns_, hits_stamp_ns_);
