@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cstring>
+
+#include <gtest/gtest.h>
+
+#include "interfaces/convert/motion.hpp"
+#include "interfaces/convert/requests.hpp"
+#include "interfaces/convert/sensing.hpp"
+
+namespace enfilade {
+namespace {
+
+using wire::WireError;
+
+const PointCloud kCloud{7, "base_link", {{1, 2, 3}, {4, 5, 6}}};
+
+TEST(PointCloudFromWire, RefusesSizesThatContradictEachOther) {
+  auto cloud = wire::to_wire(kCloud);
+  cloud.width(3);
+  EXPECT_THROW(wire::from_wire(cloud), WireError);
+  cloud = wire::to_wire(kCloud);
+  cloud.data().pop_back();
+  EXPECT_THROW(wire::from_wire(cloud), WireError);
+  cloud = wire::to_wire(kCloud);
+  cloud.point_step(0x80000000U);
+  EXPECT_THROW(wire::from_wire(cloud), WireError);
+  cloud = wire::to_wire(kCloud);
+  cloud.width(0xffffffffU), cloud.height(0xffffffffU), cloud.row_step(0);
+  EXPECT_THROW(wire::from_wire(cloud), WireError);
+  cloud = wire::to_wire(kCloud);
+  cloud.width(0xffffffffU), cloud.height(1), cloud.point_step(0), cloud.row_step(0), cloud.data().clear();
+  EXPECT_THROW(wire::from_wire(cloud), WireError);
+}
+
+TEST(PointCloudFromWire, RefusesFieldsThatAreMissingOrOutsideTheirPointOrNoFloat32) {
+  auto cloud = wire::to_wire(kCloud);
+  cloud.fields().pop_back();
+  EXPECT_THROW(wire::from_wire(cloud), WireError);
+  cloud = wire::to_wire(kCloud);
+  cloud.fields()[2].offset(9);
+  EXPECT_THROW(wire::from_wire(cloud), WireError);
+  cloud.fields()[2].offset(0xfffffffeU);
+  EXPECT_THROW(wire::from_wire(cloud), WireError);
+  cloud = wire::to_wire(kCloud);
+  cloud.fields()[0].datatype(8);
+  EXPECT_THROW(wire::from_wire(cloud), WireError);
+}
+
+/// Two rows of one point each; a point is {intensity, z, y, x}, and each row ends with four bytes of padding.
+TEST(PointCloudFromWire, ReadsFieldsAtAnyOffsetRowByRow) {
+  auto cloud = wire::to_wire(kCloud);
+  const float data[] = {9, 3, 2, 1, -1, 9, 6, 5, 4, -1};
+  cloud.height(2), cloud.width(1), cloud.point_step(16), cloud.row_step(20);
+  cloud.fields()[0].offset(12), cloud.fields()[1].offset(8), cloud.fields()[2].offset(4);
+  cloud.data().resize(sizeof data);
+  std::memcpy(cloud.data().data(), data, sizeof data);
+  EXPECT_EQ(wire::from_wire(cloud), kCloud);
+}
+
+TEST(PointCloudFromWire, ReadsBigEndianPoints) {
+  auto cloud = wire::to_wire(kCloud);
+  cloud.is_bigendian(true);
+  auto& data = cloud.data();
+  for (std::size_t i = 0; i < data.size(); i += 4)
+    std::swap(data[i], data[i + 3]), std::swap(data[i + 1], data[i + 2]);
+  EXPECT_EQ(wire::from_wire(cloud), kCloud);
+}
+
+TEST(JointStatesFromWire, FillsVelocitiesThatAreAbsentAndRefusesOtherLengths) {
+  auto joints = wire::to_wire(JointStates{1, {"a", "b"}, {1, 2}, {3, 4}});
+  joints.velocity().clear();
+  EXPECT_EQ(wire::from_wire(joints).velocities_rad_s, (std::vector<double>{0, 0}));
+  joints.position().pop_back();
+  EXPECT_THROW(wire::from_wire(joints), WireError);
+}
+
+TEST(StampFromWire, CountsNanosecondsUpwardsBeforeTheEpochToo) {
+  const auto time = wire::to_wire(StampNs{-1});
+  EXPECT_EQ(time.sec(), -1);
+  EXPECT_EQ(time.nanosec(), 999'999'999U);
+  EXPECT_EQ(wire::from_wire(time), -1);
+}
+
+TEST(StampFromWire, RefusesWhatIsNoTime) {
+  auto time = wire::to_wire(StampNs{0});
+  time.nanosec(1'000'000'000);
+  EXPECT_THROW(wire::from_wire(time), WireError);
+  EXPECT_THROW(wire::to_wire(StampNs{3'000'000'000'000'000'000}), WireError);
+}
+
+TEST(EnumFromWire, RefusesValuesThatMeanNothing) {
+  auto state = wire::to_wire(MotorState{});
+  state.phase(4);
+  EXPECT_THROW(wire::from_wire(state), WireError);
+  auto request = wire::to_wire(MarkDoorRequest{});
+  request.kind(200);
+  EXPECT_THROW(wire::from_wire(request), WireError);
+}
+
+TEST(RoomFromWire, RefusesAGapInAFifthWall) {
+  auto gap = wire::to_wire(WallInterval{.wall = 3});
+  gap.wall(4);
+  EXPECT_THROW(wire::from_wire(gap), WireError);
+}
+
+TEST(CountsFromWire, AreBelievedUpToTheirBound) {
+  EXPECT_NO_THROW(wire::check_count(wire::kMaxBeams, wire::kMaxBeams, "ranges"));
+  EXPECT_THROW(wire::check_count(wire::kMaxBeams + 1, wire::kMaxBeams, "ranges"), WireError);
+}
+
+}  // namespace
+}  // namespace enfilade
