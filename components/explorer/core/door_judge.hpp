@@ -12,10 +12,10 @@ struct DoorJudgeConfig {
   int exit_beyond_cells = 40;   ///< fewer occupied cells above the floor beyond a door: nothing is there
   int exit_free_cells = 60;     ///< provided that at least so many free ones were seen
   double beyond_from_m = 0.40;  ///< counted in this range of distance from the wall's inner face
-  double beyond_to_m = 3.0;
-  double beyond_side_m = 1.0;   ///< and so far beside the door
+  double beyond_to_m = 8.0;
+  double beyond_side_m = 3.0;   ///< and so far beside the door
   double floor_clear_m = 0.15;  ///< heights above the floor
-  double highest_m = 2.2;
+  double highest_m = 3.0;
   DoorCorridorConfig corridor;
 };
 

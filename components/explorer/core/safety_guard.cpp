@@ -8,7 +8,7 @@
 namespace enfilade::explorer {
 namespace {
 
-constexpr double kStepM = 0.02;
+constexpr int kSteps = 12;
 
 /// Where the base is after `way_m` along the arc of `velocity`.
 Point2 after(const VelocityCommand& velocity, double way_m) {
@@ -37,8 +37,8 @@ std::vector<Point2> SafetyGuard::in_the_way(const VelocityCommand& velocity,
     const Point2 at{p.x_m, p.y_m};
     const double now_m = at.norm();
     if (now_m > keep_m + reach_m) continue;
-    for (double s = kStepM; s <= reach_m + 1e-9; s += kStepM) {
-      const double then_m = (at - after(velocity, sign * s)).norm();
+    for (int i = 1; i <= kSteps; ++i) {
+      const double then_m = (at - after(velocity, sign * reach_m * i / kSteps)).norm();
       if (then_m >= keep_m || then_m >= now_m) continue;
       found.push_back(at);
       break;

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "components/explorer/node/explorer_config.hpp"
+
+#include <gtest/gtest.h>
+
+#include "components/explorer/node/explorer_node.hpp"
+
+namespace enfilade::explorer {
+namespace {
+
+TEST(ExplorerConfig, TheShippedFileHoldsTheDefaults) {
+  std::string shipped, bare;
+  load_config<ExplorerConfig>(std::string(ENFILADE_SOURCE_DIR) + "/etc/explorer.yaml", {}, &shipped);
+  load_config<ExplorerConfig>("/dev/null", {}, &bare);
+  EXPECT_EQ(shipped, bare);
+}
+
+TEST(ExplorerConfig, SenselessSettingsAreRefused) {
+  MachineConfig config;
+  config.exploration.max_sweeps_per_zone = 1;
+  EXPECT_THROW(ExplorationMachine{config}, std::invalid_argument);
+  config = {};
+  config.drive.planner.soft_radius_m = 0.1;
+  EXPECT_THROW(ExplorationMachine{config}, std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace enfilade::explorer
