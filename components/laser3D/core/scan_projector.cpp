@@ -30,6 +30,8 @@ ScanProjector::ScanProjector(const ScanProjectorConfig& config) : config_(config
   if (!(config.free_range_m > 0.0) || config.free_run_beams < 1)
     throw std::invalid_argument(
         "projector: free_range_m must be greater than 0 and free_run_beams at least 1");
+  if (!(config.veil.min_jump_m > 0.0))
+    throw std::invalid_argument("projector: veil.min_jump_m must be greater than 0");
 }
 
 bool ScanProjector::is_self_hit(const Point3f& p) const {
@@ -40,6 +42,7 @@ bool ScanProjector::is_self_hit(const Point3f& p) const {
 ProjectedLine ScanProjector::project(const RolledLine& line) const {
   const LaserScan& scan = line.scan;
   const std::size_t beams = scan.ranges_m.size();
+  const std::vector<bool> veil = find_veil(scan, config_.veil);
   ProjectedLine out;
   out.points.reserve(beams);
   std::size_t run_from = 0;  // first beam of the run without return that ends here
@@ -64,6 +67,8 @@ ProjectedLine ScanProjector::project(const RolledLine& line) const {
     const Point3f p = point_on_beam(config_, beam_angle_rad(scan, i), line.roll_rad[i], range_m);
     if (is_self_hit(p)) {
       ++out.diagnostics.self_hits;
+    } else if (veil[i]) {
+      ++out.diagnostics.veil;
     } else {
       out.points.push_back(p);
     }

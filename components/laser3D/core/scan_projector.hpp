@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "components/laser3D/core/line_queue.hpp"
+#include "components/laser3D/core/veil_filter.hpp"
 
 namespace enfilade::laser_3d {
 
@@ -17,6 +18,7 @@ struct ScanProjectorConfig {
   double body_margin_m = 0.03;  ///< returns this close to the body are self-hits, >= 0
   double free_range_m = 8.0;    ///< a run of beams without return shows free space this far, > 0
   int free_run_beams = 8;       ///< a shorter run shows nothing, >= 1
+  VeilFilterConfig veil;
 };
 
 struct ProjectionDiagnostics {
@@ -24,6 +26,7 @@ struct ProjectionDiagnostics {
   std::uint32_t no_return = 0;  ///< +inf
   std::uint32_t invalid = 0;    ///< NaN, -inf, outside the sensor's range
   std::uint32_t self_hits = 0;
+  std::uint32_t veil = 0;  ///< split between two surfaces
 };
 
 /// One scan line in space, base frame.
