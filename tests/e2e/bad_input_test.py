@@ -5,7 +5,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from support import BIN, PAPER_WORLD, SOURCE, free_domain, run, wait_for
+from support import BIN, PAPER_WORLD, SOURCE, free_domain, run
 
 
 class BadInput(unittest.TestCase):
@@ -82,7 +82,7 @@ class BadInput(unittest.TestCase):
         arguments = [str(BIN / "topoGraph"), "--domain", str(free_domain())]
         with subprocess.Popen(arguments, stderr=subprocess.PIPE, text=True) as first:
             try:
-                wait_for(lambda: self.component("topoGraph", "--startup-check").returncode != 0, 20, "the first to hold its lock")
+                self.assertTrue(any("running" in line for line in iter(first.stderr.readline, "")))
                 self.assert_refused(self.component("topoGraph"), "topoGraph", first.pid)
             finally:
                 first.terminate()
