@@ -20,7 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The semaphores go with the ports of the same name.
 constexpr std::array<std::string_view, 3> kPrefixes{"fastrtps_", "fast_datasharing_", "sem.fastrtps_"};
 
 bool is_ours(const fs::path& file) {
@@ -30,7 +29,7 @@ bool is_ours(const fs::path& file) {
          lstat(file.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == geteuid();
 }
 
-std::vector<fs::path> segments_in(const fs::path& folder) {
+std::vector<fs::path> files_of_fast_dds(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
@@ -39,27 +38,39 @@ std::vector<fs::path> segments_in(const fs::path& folder) {
   return files;
 }
 
+/// A segment lives and dies with its lock `X_el` and its semaphore `sem.X_mutex`, which Fast DDS does not
+/// keep open.
+std::string segment_of(const fs::path& file) {
+  std::string name = file.filename().string();
+  if (name.starts_with("sem.")) name.erase(0, 4);
+  for (const std::string_view suffix : {"_mutex", "_el"}) {
+    if (name.ends_with(suffix)) name.erase(name.size() - suffix.size());
+  }
+  return name;
+}
+
 bool is_process(const fs::path& entry) {
   const std::string name = entry.filename().string();
   return std::ranges::all_of(name, [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// Everything under `folder` that some process maps or holds open, as far as we may look.
-std::set<std::string> paths_in_use(const fs::path& folder) {
+/// The segments in `folder` that some process maps or holds open, as far as we may look.
+std::set<std::string> segments_in_use(const fs::path& folder) {
   std::set<std::string> used;
   std::error_code error;
+  const auto note = [&](const std::string& path) {
+    if (const auto at = path.find(folder.string() + "/"); at != std::string::npos)
+      used.insert(segment_of(path.substr(at)));
+  };
   for (const auto& process : fs::directory_iterator("/proc", error)) {
     if (!is_process(process.path())) continue;
     std::ifstream maps(process.path() / "maps");
-    for (std::string line; std::getline(maps, line);) {
-      if (const auto at = line.find(folder.string() + "/"); at != std::string::npos)
-        used.insert(line.substr(at));
-    }
+    for (std::string line; std::getline(maps, line);) note(line);
     std::error_code gone;
     for (fs::directory_iterator fd(process.path() / "fd", gone), end; !gone && fd != end;
          fd.increment(gone)) {
       std::error_code unreadable;
-      used.insert(fs::read_symlink(fd->path(), unreadable).string());
+      note(fs::read_symlink(fd->path(), unreadable).string());
     }
   }
   return used;
@@ -80,10 +91,10 @@ std::optional<std::string> why_no_shared_memory(std::size_t bytes, const fs::pat
 }
 
 int remove_stale_segments(const fs::path& folder) {
-  const std::vector<fs::path> segments = segments_in(folder);  // before looking who uses them
-  const std::set<std::string> used = paths_in_use(folder);
-  return static_cast<int>(std::ranges::count_if(segments, [&used](const fs::path& file) {
-    return !used.contains(file.string()) && unlink(file.c_str()) == 0;
+  const std::vector<fs::path> files = files_of_fast_dds(folder);  // before looking who uses them
+  const std::set<std::string> used = segments_in_use(folder);
+  return static_cast<int>(std::ranges::count_if(files, [&used](const fs::path& file) {
+    return !used.contains(segment_of(file)) && unlink(file.c_str()) == 0;
   }));
 }
 
