@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "components/explorer/core/door_geometry.hpp"
-#include "components/explorer/core/projected_grid.hpp"
+#include "components/explorer/core/floor_map.hpp"
 
 namespace enfilade::explorer {
 
@@ -14,7 +14,7 @@ struct DoorCorridorConfig {
   double beyond_m = 0.85;        ///< and so far beyond the wall's inner face afterwards
   double beyond_least_m = 0.60;
   double max_offset_m = 0.20;  ///< the line may lie so far beside the door's middle as the graph has it
-  double clearance_m = 0.26;   ///< of the line to the centres of obstacle cells
+  double clearance_m = 0.28;   ///< of the line to the centres of obstacle cells
   double enough_m = 0.45;      ///< more than this is no better
   double max_unexplored_share = 0.25;  ///< of the floor under the robot's way
 };
@@ -26,7 +26,7 @@ struct DoorCorridor {
 };
 
 /// The line square to the door that keeps farthest from what stands beside it; nothing where none is free.
-std::optional<DoorCorridor> find_corridor(const ProjectedGrid& grid, const PlacedDoor& door,
+std::optional<DoorCorridor> find_corridor(const FloorMap& map, const PlacedDoor& door,
                                           const DoorCorridorConfig& config);
 
 }  // namespace enfilade::explorer

@@ -28,8 +28,8 @@ ProjectedGrid::Count count_beyond(const ProjectedGrid& grid, const PlacedDoor& d
 
 }  // namespace
 
-DoorJudgement judge_door(const ProjectedGrid& grid, const PlacedDoor& door, const DoorEstimate* gap,
-                         const DoorJudgeConfig& config) {
+DoorJudgement judge_door(const ProjectedGrid& grid, const FloorMap& map, const PlacedDoor& door,
+                         const DoorEstimate* gap, const DoorJudgeConfig& config) {
   const auto beyond = count_beyond(grid, door, config);
   DoorJudgement judgement{.beyond_occupied = beyond.occupied, .beyond_free = beyond.free};
   if (gap) {
@@ -41,7 +41,7 @@ DoorJudgement judge_door(const ProjectedGrid& grid, const PlacedDoor& door, cons
     judgement.verdict = DoorVerdict::kExit;
     return judgement;
   }
-  judgement.corridor = find_corridor(grid, door, config.corridor);
+  judgement.corridor = find_corridor(map, door, config.corridor);
   if (judgement.corridor) judgement.verdict = DoorVerdict::kWay;
   return judgement;
 }

@@ -28,7 +28,7 @@ struct DoorJudgement {
 };
 
 /// What a look from right in front of a door shows: a way into another room, empty ground, or no way through.
-DoorJudgement judge_door(const ProjectedGrid& grid, const PlacedDoor& door, const DoorEstimate* gap,
-                         const DoorJudgeConfig& config);
+DoorJudgement judge_door(const ProjectedGrid& grid, const FloorMap& map, const PlacedDoor& door,
+                         const DoorEstimate* gap, const DoorJudgeConfig& config);
 
 }  // namespace enfilade::explorer

@@ -91,7 +91,8 @@ void ExplorationMachine::judge(const Observation& seen, Decision& decision) {
   if (!door) return go_to(Step::kChooseDoor, ExplorationPhase::kApproaching, "choosing a door", seen);
   const bool current = seen.estimate && seen.estimate->tag == *tag_ && seen.estimate->found;
   const DoorEstimate* gap = current ? find_gap(*seen.estimate, *placed, geometry_) : nullptr;
-  const DoorJudgement judgement = judge_door(*seen.grid, *placed, gap, judge_config_);
+  const FloorMap map = drive_.floor_map(seen, trodden_);
+  const DoorJudgement judgement = judge_door(*seen.grid, map, *placed, gap, judge_config_);
   const std::string name = "door " + std::to_string(door_);
   const bool to_be_resolved = door->kind == DoorKind::kUnresolved;
   if (judgement.verdict == DoorVerdict::kExit && to_be_resolved) {
@@ -99,7 +100,7 @@ void ExplorationMachine::judge(const Observation& seen, Decision& decision) {
     return begin_mark(DoorKind::kExit, seen, decision);
   }
   const auto corridor =
-      judgement.corridor ? judgement.corridor : find_corridor(*seen.grid, *placed, judge_config_.corridor);
+      judgement.corridor ? judgement.corridor : find_corridor(map, *placed, judge_config_.corridor);
   if (!corridor) return give_up_door("no free way leads through it", seen, decision);
   corridor_ = *corridor;
   begin_crossing(seen, decision);

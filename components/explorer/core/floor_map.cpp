@@ -15,7 +15,7 @@ FloorMap::FloorMap(const ProjectedGrid& grid, const FloorHints& hints, const Flo
   cells_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
   for (std::size_t i = 0; i < cells_.size(); ++i) cells_[i] = grid.floor(cell(i));
   fill_holes();
-  for (const Point2& p : hints.trodden) tread(p, config.trodden_radius_m);
+  for (const Point2& p : hints.trodden) tread(p, config);
   for (const Point2& p : hints.obstacles) {
     if (contains(cell_at(p))) cells_[index(cell_at(p))] = Floor::kObstacle;
   }
@@ -28,14 +28,16 @@ CellXY FloorMap::cell_at(const Point2& p) const {
           static_cast<int>(std::floor(p.y() / resolution_m_))};
 }
 
-void FloorMap::tread(const Point2& p, double radius_m) {
+void FloorMap::tread(const Point2& p, const FloorMapConfig& config) {
   const CellXY middle = cell_at(p);
-  const int reach = static_cast<int>(std::ceil(radius_m / resolution_m_));
+  const int reach = static_cast<int>(std::ceil(config.trodden_radius_m / resolution_m_));
   for (int y = middle.y - reach; y <= middle.y + reach; ++y) {
     for (int x = middle.x - reach; x <= middle.x + reach; ++x) {
       const CellXY c{x, y};
-      if (!contains(c) || (centre(c) - p).norm() > radius_m) continue;
-      if (cells_[index(c)] == Floor::kUnexplored) cells_[index(c)] = Floor::kFree;
+      const double distance_m = (centre(c) - p).norm();
+      if (!contains(c) || distance_m > config.trodden_radius_m) continue;
+      const bool covered = distance_m <= config.body_radius_m;
+      if (covered || cells_[index(c)] == Floor::kUnexplored) cells_[index(c)] = Floor::kFree;
     }
   }
 }

@@ -15,6 +15,8 @@ struct FloorHints {
 };
 
 struct FloorMapConfig {
+  double body_radius_m =
+      0.24;  ///< what was seen this close to where the robot was is not there: the robot is
   double trodden_radius_m = 0.40;  ///< unexplored floor this close to where the robot was counts as free
 };
 
@@ -47,7 +49,7 @@ class FloorMap {
   double to_unexplored_m(CellXY c) const { return contains(c) ? to_unexplored_m_[index(c)] : 0.0; }
 
  private:
-  void tread(const Point2& p, double radius_m);
+  void tread(const Point2& p, const FloorMapConfig& config);
   void fill_holes();
   std::vector<float> distance_to(Floor what) const;
 

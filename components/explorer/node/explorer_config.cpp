@@ -99,6 +99,7 @@ void bind(ConfigBinder& c, DriveConfig& d) {
   c.group("planner", [&](ConfigBinder& g) { bind(g, d.planner); });
   c.group("follower", [&](ConfigBinder& g) { bind(g, d.follower); });
   c.group("guard", [&](ConfigBinder& g) { bind(g, d.guard); });
+  c.number("body_radius_m", d.floor.body_radius_m, 0.0, 2.0);
   c.number("trodden_radius_m", d.floor.trodden_radius_m, 0.0, 2.0);
   c.number("near_clearance_m", d.near_clearance_m, 0.05, 2.0);
   c.number("near_speed_m_s", d.near_speed_m_s, 0.02, 2.0);

@@ -20,9 +20,13 @@ SyntheticRoom& add_room_behind(SyntheticRoom& room) {
 
 const PlacedDoor kDoor{.middle = {4.0, 2.0}, .outward = {1.0, 0.0}, .width_m = 0.9};
 
+DoorJudgement judge(const ProjectedGrid& grid, const PlacedDoor& door) {
+  return judge_door(grid, FloorMap(grid, {}, {}), door, nullptr, {});
+}
+
 TEST(DoorJudge, ADoorIntoARoomIsAWay) {
   auto room = room_with_door();
-  const auto judgement = judge_door(add_room_behind(room).grid(), kDoor, nullptr, {});
+  const auto judgement = judge(add_room_behind(room).grid(), kDoor);
   ASSERT_EQ(judgement.verdict, DoorVerdict::kWay);
   EXPECT_NEAR(judgement.corridor->from.y_m, 2.0, 0.03);
   EXPECT_NEAR(judgement.corridor->from.x_m, 3.3, 1e-9);
@@ -32,32 +36,32 @@ TEST(DoorJudge, ADoorIntoARoomIsAWay) {
 TEST(DoorJudge, ADoorOntoEmptyGroundIsAnExit) {
   auto room = room_with_door();
   room.free(4.2, 0, 8, 4, 0.05, 2.6).solid(4.2, 0, 8, 4, 0.0, 0.05);
-  EXPECT_EQ(judge_door(room.grid(), kDoor, nullptr, {}).verdict, DoorVerdict::kExit);
+  EXPECT_EQ(judge(room.grid(), kDoor).verdict, DoorVerdict::kExit);
 }
 
 TEST(DoorJudge, ADoorBehindWhichNothingWasSeenIsNoExit) {
-  EXPECT_NE(judge_door(room_with_door().grid(), kDoor, nullptr, {}).verdict, DoorVerdict::kExit);
+  EXPECT_NE(judge(room_with_door().grid(), kDoor).verdict, DoorVerdict::kExit);
 }
 
 TEST(DoorJudge, WhatIsTooNarrowOrObstructedIsBlocked) {
   auto narrow = room_with_door(0.22);
-  EXPECT_EQ(judge_door(add_room_behind(narrow).grid(), kDoor, nullptr, {}).verdict, DoorVerdict::kBlocked);
+  EXPECT_EQ(judge(add_room_behind(narrow).grid(), kDoor).verdict, DoorVerdict::kBlocked);
   auto box = room_with_door();
   add_room_behind(box).solid(4.3, 1.8, 4.6, 2.2, 0.0, 0.4);
-  EXPECT_EQ(judge_door(box.grid(), kDoor, nullptr, {}).verdict, DoorVerdict::kBlocked);
+  EXPECT_EQ(judge(box.grid(), kDoor).verdict, DoorVerdict::kBlocked);
 }
 
 TEST(DoorJudge, TheWayLiesAmidTheJambsAsTheyAreSeen) {
   auto room = room_with_door();
   const PlacedDoor beside{.middle = {4.0, 2.1}, .outward = {1.0, 0.0}, .width_m = 0.9};
-  const auto judgement = judge_door(add_room_behind(room).grid(), beside, nullptr, {});
+  const auto judgement = judge(add_room_behind(room).grid(), beside);
   ASSERT_TRUE(judgement.corridor);
   EXPECT_NEAR(judgement.corridor->to.y_m, 2.0, 0.03);
 }
 
 TEST(DoorJudge, TheNarrowestDoorAskedForIsAWay) {
   auto room = room_with_door(0.075);
-  EXPECT_EQ(judge_door(add_room_behind(room).grid(), kDoor, nullptr, {}).verdict, DoorVerdict::kWay);
+  EXPECT_EQ(judge(add_room_behind(room).grid(), kDoor).verdict, DoorVerdict::kWay);
 }
 
 }  // namespace

@@ -76,6 +76,14 @@ TEST(PathPlanner, LeavesAPlaceTooNearToAWallWithoutGoingNearer) {
   EXPECT_GE(least_clearance(map, *path), clearance_m - 0.01);
 }
 
+TEST(PathPlanner, WhatWasSeenWhereTheRobotStandsIsTheRobot) {
+  const auto grid =
+      SyntheticRoom().room(0, 0, 4, 4).solid(1.65, 1.5, 1.7, 1.55).solid(1.8, 1.5, 1.85, 1.55).grid();
+  const FloorMap map(grid, {.trodden = {{1.5, 1.5}}, .obstacles = {}}, {});
+  EXPECT_EQ(map.floor(map.cell_at({1.67, 1.52})), Floor::kFree);
+  EXPECT_EQ(map.floor(map.cell_at({1.82, 1.52})), Floor::kObstacle);
+}
+
 TEST(PathPlanner, WhereTheRobotHasBeenIsFree) {
   const auto grid = SyntheticRoom().room(0, 0, 4, 4).unexplored(1, 1, 2, 2).grid();
   const FloorMap without(grid, {}, {}), with(grid, {.trodden = {{1.5, 1.5}}, .obstacles = {}}, {});
