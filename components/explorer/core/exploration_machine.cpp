@@ -114,7 +114,7 @@ void ExplorationMachine::start_zone(const Observation& seen, Decision& decision)
   stability_.reset();
   targets_.reset();
   trodden_.clear();
-  first_yaw_rad_.reset();
+  swept_from_.clear();
   verified_ = false;
   if (new_zone) attempts_.clear();
   if (seen.zone->room) {

@@ -146,7 +146,7 @@ class ExplorationMachine {
   // Since this zone's grid began.
   Purpose purpose_ = Purpose::kModel;
   bool verified_ = false;
-  std::optional<double> first_yaw_rad_;  ///< heading of the first sweep
+  std::vector<Pose2> swept_from_;
   std::vector<Point2> trodden_;
 
   // Of the door being dealt with.

@@ -36,7 +36,7 @@ void ExplorationMachine::sweep(const Observation& seen, Decision& decision) {
   if (status == SweepStatus::kRunning) return;
   ++state_.sweeps_in_zone;
   ++state_.sweeps_total;
-  if (!first_yaw_rad_) first_yaw_rad_ = seen.T_zone_base->yaw_rad;
+  swept_from_.push_back(*seen.T_zone_base);
   go_to(Step::kAwaitEstimate, state_.phase, "waiting for the model after the sweep", seen);
 }
 
@@ -94,8 +94,8 @@ void ExplorationMachine::assess(const Observation& seen, Decision& decision) {
 std::optional<View> ExplorationMachine::next_view(const Observation& seen) const {
   const FloorMap map = drive_.floor_map(seen, trodden_);
   const Reach reach(map, drive_.config().planner, seen.T_zone_base->translation());
-  ViewWish wish;
-  if (state_.sweeps_in_zone == 1) wish.other_than_yaw_rad = first_yaw_rad_;
+  ViewWish wish{.other_than_yaw_rad = {}, .had = swept_from_};
+  if (swept_from_.size() == 1) wish.other_than_yaw_rad = swept_from_.front().yaw_rad;
   const bool found = is_current(seen.estimate, *tag_) && seen.estimate->found;
   const Rectangle area = found ? seen.estimate->rectangle : surroundings(seen.T_zone_base->translation());
   const auto worth =

@@ -12,6 +12,14 @@ namespace {
 
 constexpr int kHeadings = 8;
 
+bool is_wished(const Pose2& view, const ViewWish& wish) {
+  const auto turned = [&](double yaw_rad) { return std::abs(wrap_to_pi(view.yaw_rad - yaw_rad)); };
+  if (wish.other_than_yaw_rad && turned(*wish.other_than_yaw_rad) < 0.49 * kPi) return false;
+  return std::none_of(wish.had.begin(), wish.had.end(), [&](const Pose2& had) {
+    return (had.translation() - view.translation()).norm() < 0.2 && turned(had.yaw_rad) < radians(30.0);
+  });
+}
+
 /// At most `limit` of them, evenly picked, each worth what those left out would have been.
 std::vector<ViewTarget> thinned(const std::vector<ViewTarget>& targets, std::size_t limit) {
   if (targets.size() <= limit) return targets;
@@ -42,9 +50,7 @@ std::optional<View> ViewPlanner::best(const ProjectedGrid& grid, const Reach& re
     const auto seen = visible(grid, place, worth);
     for (int i = 0; i < kHeadings; ++i) {
       View view{.pose = {place.x(), place.y(), wrap_to_pi(robot.yaw_rad + 2.0 * kPi * i / kHeadings)}};
-      if (wish.other_than_yaw_rad &&
-          std::abs(wrap_to_pi(view.pose.yaw_rad - *wish.other_than_yaw_rad)) < 0.49 * kPi)
-        continue;
+      if (!is_wished(view.pose, wish)) continue;
       for (const ViewTarget& t : seen) view.gain_m2 += in_sight(view.pose, t.at) ? t.worth_m2 : 0.0;
       view.cost_s = cost_s(reach, view.pose, robot);
       const double rate = view.gain_m2 / (config_.sweep_s + view.cost_s);

@@ -29,9 +29,10 @@ struct View {
   double cost_s = 0.0;
 };
 
-/// Which headings are asked for.
+/// Which views are asked for.
 struct ViewWish {
   std::optional<double> other_than_yaw_rad;  ///< at least a quarter turn away from this one
+  std::vector<Pose2> had;                    ///< looked from there already: the same again shows nothing new
 };
 
 /// The next best view: the place and heading with the most unexplored area per second spent, by casting rays

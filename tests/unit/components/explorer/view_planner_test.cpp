@@ -95,5 +95,14 @@ TEST(ViewPlanner, AnotherHeadingIsAtLeastAQuarterTurnAway) {
   EXPECT_GE(std::abs(planned.view->pose.yaw_rad), 0.49 * kPi);
 }
 
+TEST(ViewPlanner, DoesNotLookTwiceFromTheSamePose) {
+  const auto grid = SyntheticRoom().room(0, 0, 4, 4).unexplored(3.9, 1, 4.2, 3).grid();
+  const Planned first = plan(grid, {2, 2, 0});
+  ASSERT_TRUE(first.view);
+  const Planned second = plan(grid, {2, 2, 0}, {.other_than_yaw_rad = {}, .had = {first.view->pose}});
+  ASSERT_TRUE(second.view);
+  EXPECT_NE(second.view->pose, first.view->pose);
+}
+
 }  // namespace
 }  // namespace enfilade::explorer
