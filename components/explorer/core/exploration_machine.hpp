@@ -20,9 +20,12 @@
 namespace enfilade::explorer {
 
 struct ExplorationConfig {
-  double coarse_step_deg = 1.0;   ///< between the lines of a sweep
-  double fine_step_deg = 0.5;     ///< of the sweep that must change nothing
-  int max_sweeps_per_zone = 12;   ///< then the room is fixed with what is known
+  double coarse_step_deg = 1.0;  ///< between the lines of a sweep
+  double fine_step_deg = 0.5;    ///< of the sweep that must change nothing
+  int max_sweeps_per_zone = 12;  ///< then the room is fixed with what is known
+  double widest_door_m =
+      1.75;  ///< a wider gap, or one that takes most of its wall, is looked into before the room is fixed
+  double whole_wall_share = 0.7;  ///< of the wall, for "most"
   int looks_without_room = 5;     ///< sweeps in a zone where no rectangle fits before it is given up
   double estimate_wait_s = 2.0;   ///< for the estimate of a sweep; then the one at hand is used
   double answer_wait_s = 10.0;    ///< for what follows an accepted request; then it goes on
@@ -103,6 +106,8 @@ class ExplorationMachine {
   void assess(const Observation& seen, Decision& decision);
   void assess_without_room(const Observation& seen, Decision& decision);
   std::optional<View> next_view(const Observation& seen) const;
+  std::optional<View> view_into_wide_gap(const Observation& seen) const;
+  bool has_looked_from(const Pose2& pose) const;
   void begin_look(const View& view, const Observation& seen, Decision& decision);
   void begin_fix(const Observation& seen, Decision& decision);
   void look(const Observation& seen, Decision& decision);

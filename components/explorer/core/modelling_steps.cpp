@@ -81,6 +81,7 @@ void ExplorationMachine::assess(const Observation& seen, Decision& decision) {
     decision.events.push_back("enough sweeps: taking the room as it is known");
     return begin_fix(seen, decision);
   }
+  if (const auto view = view_into_wide_gap(seen)) return begin_look(*view, seen, decision);
   if (verified_) return begin_fix(seen, decision);
   if (const auto view = next_view(seen)) return begin_look(*view, seen, decision);
   if (sweeps == 1) {  // the cone behind the robot
@@ -101,6 +102,35 @@ std::optional<View> ExplorationMachine::next_view(const Observation& seen) const
   const auto worth =
       found ? targets_.find(*seen.grid, *seen.estimate) : targets_.find_floor(*seen.grid, area);
   return views_.best(*seen.grid, reach, area, worth, *seen.T_zone_base, wish);
+}
+
+/// Where a wall is mostly gap the space may well go on: a corridor, of which the end is not seen yet. That
+/// shows from nearby.
+std::optional<View> ExplorationMachine::view_into_wide_gap(const Observation& seen) const {
+  const RoomEstimate& estimate = *seen.estimate;
+  const FloorMap map = drive_.floor_map(seen, trodden_);
+  const Reach reach(map, drive_.config().planner, seen.T_zone_base->translation());
+  for (const DoorEstimate& door : estimate.doors) {
+    const double wall_m = estimate.rectangle.wall_length_m(door.gap.wall);
+    const bool wide = door.gap.width_m() > config_.widest_door_m ||
+                      (wall_m > 1.0 && door.gap.width_m() > config_.whole_wall_share * wall_m);
+    if (!wide) continue;
+    const PlacedDoor gap{.middle = segment_of(estimate.rectangle, door.gap).midpoint(),
+                         .outward = estimate.rectangle.normal(door.gap.wall),
+                         .width_m = door.gap.width_m()};
+    const auto place = reach.nearest(gap.pose_at(-config_.staging_m).translation(), config_.staging_search_m);
+    if (!place) continue;
+    const Pose2 pose{place->x(), place->y(), gap.yaw_rad()};
+    if (!has_looked_from(pose)) return View{.pose = pose};
+  }
+  return std::nullopt;
+}
+
+bool ExplorationMachine::has_looked_from(const Pose2& pose) const {
+  return std::any_of(swept_from_.begin(), swept_from_.end(), [&](const Pose2& had) {
+    return (had.translation() - pose.translation()).norm() < 1.0 &&
+           std::abs(wrap_to_pi(had.yaw_rad - pose.yaw_rad)) < radians(70.0);
+  });
 }
 
 void ExplorationMachine::assess_without_room(const Observation& seen, Decision& decision) {

@@ -14,6 +14,8 @@ void bind(ConfigBinder& c, ExplorationConfig& e) {
   c.number("coarse_step_deg", e.coarse_step_deg, 0.1, 10.0);
   c.number("fine_step_deg", e.fine_step_deg, 0.1, 10.0);
   c.integer("max_sweeps_per_zone", e.max_sweeps_per_zone, 2, 100);
+  c.number("widest_door_m", e.widest_door_m, 0.5, 10.0);
+  c.number("whole_wall_share", e.whole_wall_share, 0.1, 1.0);
   c.integer("looks_without_room", e.looks_without_room, 1, 100);
   c.number("estimate_wait_s", e.estimate_wait_s, 0.1, 60.0);
   c.number("answer_wait_s", e.answer_wait_s, 0.5, 300.0);

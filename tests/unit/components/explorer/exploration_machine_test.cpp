@@ -187,6 +187,19 @@ TEST(ExplorationMachine, AnUnstableRoomIsFixedInTheEnd) {
   EXPECT_TRUE(world.said("not stable"));
 }
 
+TEST(ExplorationMachine, LooksIntoAGapThatIsWiderThanADoorBeforeItFixesTheRoom) {
+  World world;
+  world.estimate.doors[0].gap = {.wall = 0, .from_m = 0.9, .to_m = 3.1};
+  std::optional<Pose2> nearest;
+  for (int i = 0; i < 6000 && world.machine.state().phase != ExplorationPhase::kFixing; ++i) {
+    world.tick();
+    const bool facing = std::abs(world.pose.yaw_rad) < 0.1;
+    if (facing && world.motor.phase == SweepPhase::kSweeping && world.pose.x_m > 3.2) nearest = world.pose;
+  }
+  EXPECT_EQ(world.machine.state().phase, ExplorationPhase::kFixing);
+  EXPECT_TRUE(nearest);
+}
+
 TEST(ExplorationMachine, SaysSoWhereNoRectangleFits) {
   World world;
   world.estimate.found = false;
