@@ -6,7 +6,7 @@ namespace enfilade::room_detector {
 void HoughPlane::build(const HoughSpace& space, int angle) {
   clear(space, angle);
   cast(space);
-  if (space.penalties().per_free > 0.0) charge_for_free(space.penalties().per_free);
+  if (space.penalties().per_free > 0.0) charge_for_free(space.penalties());
   accumulate();
   if (has_interior_) accumulate_interior();
 }
@@ -15,6 +15,7 @@ void HoughPlane::clear(const HoughSpace& space, int angle) {
   bins_ = space.lattice().bins();
   alpha_ = angle;
   toll_ = space.penalties().per_bin;
+  margin_ = space.penalties().contour_bins;
   const std::size_t size = at(bins_ + 1, 0);
   along_p_.assign(size, 0);
   along_d_.resize(size);
@@ -37,9 +38,24 @@ void HoughPlane::cast(const HoughSpace& space) {
   }
 }
 
-void HoughPlane::charge_for_free(double per_free) {
+void HoughPlane::charge_for_free(const Penalties& penalties) {
+  mark_near(penalties.near_bins);
   for (std::size_t i = 0; i < free_.size(); ++i) {
-    if (along_p_[i] == 0 && free_[i] > 0) along_p_[i] = -static_cast<int>(std::lround(per_free * free_[i]));
+    if (is_near_[i] == 0 && free_[i] > 0)
+      along_p_[i] = -static_cast<int>(std::lround(penalties.per_free * free_[i]));
+  }
+}
+
+void HoughPlane::mark_near(int near_bins) {
+  is_near_.assign(along_p_.size(), 0);
+  for (int d = 0; d < bins_; ++d) {
+    for (int p = 0; p < bins_; ++p) {
+      if (along_p_[at(d, p)] == 0) continue;
+      for (int i = std::max(0, d - near_bins); i <= std::min(bins_ - 1, d + near_bins); ++i) {
+        for (int j = std::max(0, p - near_bins); j <= std::min(bins_ - 1, p + near_bins); ++j)
+          is_near_[at(i, j)] = 1;
+      }
+    }
   }
 }
 
@@ -75,7 +91,7 @@ int HoughPlane::score(const BinRectangle& r) const {
   const int h23 = along_d(r.d34, r.d23) - along_d(r.d12, r.d23);          // eq. 8: d12 ≤ d < d34
   const int h34 = along_p(r.d34, r.d23 + 1) - along_p(r.d34, r.d41 + 1);  // eq. 7: d41 < p ≤ d23
   const int h41 = along_d(r.d34 + 1, r.d41) - along_d(r.d12 + 1, r.d41);  // eq. 9: d12 < d ≤ d34
-  const int inside = interior(r.d12, r.d34, r.d23) - interior(r.d12, r.d34, r.d41 + 1);
+  const int inside = interior_below(r.d12, r.d34, r.d23) - interior_above(r.d12, r.d34, r.d41);
   const int contour_bins = 2 * (r.d34 - r.d12 + r.d23 - r.d41);
   return h12 + h23 + h34 + h41 - inside - toll_ * contour_bins;  // eq. 5
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "components/roomDetector/core/hough_space.hpp"
@@ -27,10 +29,10 @@ class HoughPlane {
   int along_p(int d, int p) const { return along_p_[at(d, p)]; }
   /// Σ of weights (d', p) over d' < d, for 0 ≤ d ≤ bins.
   int along_d(int d, int p) const { return along_d_[at(d, p)]; }
-  /// Σ of interior votes over d1 < d' < d2 and p' < p.
-  int interior(int d1, int d2, int p) const {
-    return has_interior_ ? interior_[at(d2, p)] - interior_[at(d1 + 1, p)] : 0;
-  }
+  /// The interior votes of a rectangle, less those at its contour, are interior_below(d12, d34, d23) −
+  /// interior_above(d12, d34, d41).
+  int interior_below(int d12, int d34, int d23) const { return interior(d12, d34, d23 - margin_); }
+  int interior_above(int d12, int d34, int d41) const { return interior(d12, d34, d41 + 1 + margin_); }
 
   /// H_r of eq. 5–9, plus what `score: evidence` adds.
   int score(const BinRectangle& r) const;
@@ -39,17 +41,26 @@ class HoughPlane {
   std::size_t at(int d, int p) const {
     return static_cast<std::size_t>(d) * static_cast<std::size_t>(bins_ + 1) + static_cast<std::size_t>(p);
   }
+  /// Σ of interior votes over d12 + margin < d' < d34 - margin and p' < p.
+  int interior(int d12, int d34, int p) const {
+    if (!has_interior_ || d34 - d12 <= 2 * margin_) return 0;
+    p = std::clamp(p, 0, bins_);
+    return interior_[at(d34 - margin_, p)] - interior_[at(d12 + 1 + margin_, p)];
+  }
   void clear(const HoughSpace& space, int angle);
   void cast(const HoughSpace& space);
-  void charge_for_free(double per_free);
+  void charge_for_free(const Penalties& penalties);
+  void mark_near(int near_bins);
   void accumulate();
   void accumulate_interior();
 
   int bins_ = 0;
   int alpha_ = 0;
   int toll_ = 0;
+  int margin_ = 0;
   bool has_interior_ = false;
   std::vector<int> along_p_, along_d_, interior_, free_;
+  std::vector<std::uint8_t> is_near_;  // something occupied is in the bin or near it
 };
 
 }  // namespace enfilade::room_detector

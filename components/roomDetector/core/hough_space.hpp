@@ -22,8 +22,9 @@ struct Vote {
 /// What `score: evidence` holds against a rectangle; the paper's score has none of it.
 struct Penalties {
   double per_free = 0.0;  ///< for each free vote in a bin of the contour that has no occupied one
-  int per_bin =
-      0;  ///< toll for each bin of the contour, so that wall without evidence does not come for nothing
+  int per_bin = 0;    ///< toll for each bin of the contour: wall without evidence does not come for nothing
+  int near_bins = 0;  ///< a bin with something occupied so near, either way, pays for no free votes
+  int contour_bins = 0;  ///< what is so near to the contour is not inside the room
 };
 
 /// The 3D Hough space (θ, d, p) of section III-A, without its table.

@@ -23,11 +23,11 @@ void search_lines(const HoughPlane& plane, int d12, int d34, const WindowLimits&
   const int toll = 2 * plane.toll();
   const auto of_d41 = [&](int p) {
     return -plane.along_p(d12, p) - plane.along_p(d34, p + 1) + plane.along_d(d34 + 1, p) -
-           plane.along_d(d12 + 1, p) + plane.interior(d12, d34, p + 1) + toll * p;
+           plane.along_d(d12 + 1, p) + plane.interior_above(d12, d34, p) + toll * p;
   };
   const auto of_d23 = [&](int p) {
     return plane.along_p(d12, p) + plane.along_p(d34, p + 1) + plane.along_d(d34, p) - plane.along_d(d12, p) -
-           plane.interior(d12, d34, p) - toll * p;
+           plane.interior_below(d12, d34, p) - toll * p;
   };
   const Window found = best_window(plane.bins(), limits, of_d41, of_d23);
   if (found.first < 0) return;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace enfilade::room_detector {
 namespace {
@@ -21,7 +22,11 @@ RoomDetector::RoomDetector(const RoomDetectorConfig& config)
       votes_(config.votes, config.hough),
       search_(config.search),
       fitter_(config.fit),
-      door_finder_(config.door_finder) {}
+      door_finder_(config.door_finder) {
+  const double step = config.hough.step_m;
+  if (config.search.side_min_m < (2.0 * std::round(config.votes.contour_margin_m / step) + 1.0) * step)
+    throw std::invalid_argument("side_min_m must be more than twice contour_margin_m, and a step more");
+}
 
 void RoomDetector::clear(double resolution_m) {
   map_.clear(resolution_m);

@@ -6,18 +6,41 @@
 
 namespace enfilade::room_detector {
 
+namespace {
+
+bool is_wall_like(int occupied) { return occupied >= 2; }
+
+/// How many cells of the band are occupied in a column of wall, in the mean: all of them where the sensor has
+/// looked everywhere, few in a coarse scan or far away. What speaks for a wall shrinks with them, and so must
+/// what speaks against one.
+int ordinary_wall_cells(const ColumnMap& map, const Levels& levels) {
+  int cells = 0, columns = 0;
+  for (const Column& column : map.columns()) {
+    const int occupied = static_cast<int>((column.occupied & levels).count());
+    if (!is_wall_like(occupied)) continue;
+    cells += occupied;
+    ++columns;
+  }
+  return columns > 0 ? (cells + columns / 2) / columns : 1;
+}
+
+}  // namespace
+
 WallVotes::WallVotes(const WallVotesConfig& config, const HoughConfig& hough)
     : config_(config), hough_(hough) {}
 
 const HoughSpace& WallVotes::update(ColumnMap& map, const WallBand& band, const Point2& origin) {
   const auto changed = map.take_changed();
-  if (!space_ || space_->origin() != origin || !(band == band_)) {
+  const int ordinary = ordinary_wall_cells(map, band.levels());
+  const bool is_same_space = space_ && space_->origin() == origin && band == band_;
+  if (is_same_space && ordinary == ordinary_) {
+    for (const std::size_t i : changed) space_->set(i, vote_of(map, map.columns()[i]));
+  } else {
     band_ = band;
     levels_ = band.levels();
-    space_.emplace(hough_, origin);
+    ordinary_ = ordinary;
+    if (!is_same_space) space_.emplace(hough_, origin);
     for (std::size_t i = 0; i < map.columns().size(); ++i) space_->set(i, vote_of(map, map.columns()[i]));
-  } else {
-    for (const std::size_t i : changed) space_->set(i, vote_of(map, map.columns()[i]));
   }
   space_->set_penalties(penalties(map.resolution_m()));
   return *space_;
@@ -27,10 +50,9 @@ Vote WallVotes::vote_of(const ColumnMap& map, const Column& column) const {
   const int occupied = static_cast<int>((column.occupied & levels_).count());
   Vote vote{map.centre(column), per_cell() * occupied, 0, 0};
   if (!weighs_evidence()) return vote;
-  vote.free = per_cell() * static_cast<int>((column.free & levels_).count());
-  const bool is_wall_like = occupied >= 2;
-  if (is_wall_like)
-    vote.interior = static_cast<int>(std::lround(config_.interior_share * per_cell() * band_.size()));
+  vote.free = per_cell() * std::min(ordinary_, static_cast<int>((column.free & levels_).count()));
+  if (is_wall_like(occupied))
+    vote.interior = static_cast<int>(std::lround(config_.interior_share * per_cell() * ordinary_));
   return vote;
 }
 
@@ -39,8 +61,10 @@ Penalties WallVotes::penalties(double resolution_m) const {
   // A bin that a wall runs through holds step / resolution columns of it, and that many times as many free
   // ones if it is not there.
   const double columns = hough_.step_m / resolution_m;
-  return {config_.free_weight / std::max(1.0, columns),
-          static_cast<int>(std::lround(config_.toll_share * per_cell() * band_.size() * columns))};
+  return {.per_free = config_.free_weight / std::max(1.0, columns),
+          .per_bin = static_cast<int>(std::lround(config_.toll_share * per_cell() * ordinary_ * columns)),
+          .near_bins = static_cast<int>(std::lround(1.0 / columns)),
+          .contour_bins = static_cast<int>(std::lround(config_.contour_margin_m / hough_.step_m))};
 }
 
 }  // namespace enfilade::room_detector

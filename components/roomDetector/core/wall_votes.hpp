@@ -15,8 +15,9 @@ struct WallVotesConfig {
   Score score = Score::kEvidence;  ///< kPaper: occupied cells count one each, nothing else counts
   double free_weight = 0.5;  ///< kEvidence: a free cell on the contour takes away so much of an occupied one
   double interior_share =
-      0.5;  ///< kEvidence: wall inside the room takes away so much of a fully seen wall column
-  double toll_share = 0.05;  ///< kEvidence: contour costs so much of a fully seen wall
+      0.5;  ///< kEvidence: wall inside the room takes away so much of an ordinary wall column
+  double toll_share = 0.05;        ///< kEvidence: contour costs so much of an ordinary wall
+  double contour_margin_m = 0.15;  ///< kEvidence: what is so near to a wall is a part of it, not inside
 };
 
 /// Keeps the Hough space in step with the grid: every column of the grid votes with the cells of the wall
@@ -42,6 +43,7 @@ class WallVotes {
   HoughConfig hough_;
   WallBand band_;
   Levels levels_;
+  int ordinary_ = 1;  // cells of a wall column, as this grid shows them
   std::optional<HoughSpace> space_;
 };
 

@@ -24,6 +24,7 @@ void bind(ConfigBinder& c, WallVotesConfig& votes) {
   c.number("free_weight", votes.free_weight, 0.0, 4.0);
   c.number("interior_share", votes.interior_share, 0.0, 10.0);
   c.number("toll_share", votes.toll_share, 0.0, 1.0);
+  c.number("contour_margin_m", votes.contour_margin_m, 0.0, 1.0);
 }
 
 void bind(ConfigBinder& c, SearchConfig& search) {

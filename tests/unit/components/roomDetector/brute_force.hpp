@@ -116,8 +116,8 @@ class DirectPlane {
     interior_ = weight_;
     for (const auto& [bin, sum] : bins) {
       const auto i = static_cast<std::size_t>(bin.first * n + bin.second);
-      weight_[i] = sum.occupied > 0 ? sum.occupied
-                                    : -static_cast<int>(std::lround(space.penalties().per_free * sum.free));
+      const int charge = static_cast<int>(std::lround(space.penalties().per_free * sum.free));
+      weight_[i] = sum.occupied > 0 ? sum.occupied : is_near_occupied(bins, bin) ? 0 : -charge;
       interior_[i] = sum.interior;
     }
   }
@@ -130,13 +130,25 @@ class DirectPlane {
       for (int p = r.d41; p <= r.d23; ++p) {
         const bool on_contour = d == r.d12 || d == r.d34 || p == r.d41 || p == r.d23;
         const auto i = static_cast<std::size_t>(d * n + p);
-        sum += on_contour ? weight_[i] - space_.penalties().per_bin : -interior_[i];
+        const int depth = std::min(std::min(d - r.d12, r.d34 - d), std::min(p - r.d41, r.d23 - p));
+        if (on_contour) sum += weight_[i] - space_.penalties().per_bin;
+        if (depth > space_.penalties().contour_bins) sum -= interior_[i];
       }
     }
     return sum;
   }
 
  private:
+  using Bin = std::pair<int, int>;
+
+  bool is_near_occupied(const std::map<Bin, Vote>& bins, const Bin& bin) const {
+    const int reach = space_.penalties().near_bins;
+    return std::any_of(bins.begin(), bins.end(), [&](const auto& other) {
+      return other.second.occupied > 0 && std::abs(other.first.first - bin.first) <= reach &&
+             std::abs(other.first.second - bin.second) <= reach;
+    });
+  }
+
   const HoughSpace& space_;
   std::vector<int> weight_, interior_;
 };

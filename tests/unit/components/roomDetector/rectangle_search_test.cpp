@@ -61,7 +61,10 @@ TEST(RectangleSearch, FindsTheArgmaxOfTheEvidenceScore) {
     Case c(seed);
     c.hough.theta_step_deg = 20.0;
     RandomWorld world(seed + 1);
-    const HoughSpace space = space_of(c.hough, c.votes, {world.uniform(0.0, 1.0), world.integer(0, 3)});
+    c.search.side_min_m = std::max(c.search.side_min_m, 1.5);  // three bins: room for the margin
+    const HoughSpace space =
+        space_of(c.hough, c.votes,
+                 {world.uniform(0.0, 1.0), world.integer(0, 3), world.integer(0, 2), world.integer(0, 1)});
     std::vector<test::DirectPlane> planes;
     for (int a = 0; a < space.lattice().angles(); ++a) planes.emplace_back(space, a);
     const auto truth = test::argmax(space, c.search, c.robot, [&](const BinRectangle& r) {

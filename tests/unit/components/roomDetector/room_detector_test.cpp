@@ -85,6 +85,21 @@ TEST(RoomDetector, FallsBackToAllHeightsBetweenLowWalls) {
   expect_same(d.estimate.rectangle, room.rectangle(), 0.02);
 }
 
+TEST(RoomDetector, FindsAHallThatACoarseScanShowsThinly) {
+  const auto room = test::RoomBuilder(11.0, 4.6, 2.9).door(1, 3.0, 5.0).door(3, 4.0, 6.0).build();
+  RoomDetector detector({});
+  test::SimGrid grid(0.05);
+  detector.clear(0.05);
+  const Pose2 T_zone_base = room.T_zone_room * Pose2{-2.7, -0.6, 0.4};
+  for (const ScanHits& line : grid.sweep(room, T_zone_base, {.roll_step_deg = 2.0, .beam_step_deg = 1.5}))
+    detector.add_hits(line);
+  detector.update(grid.changes());
+  const auto d = detector.estimate(T_zone_base);
+  ASSERT_TRUE(d.estimate.found);
+  EXPECT_TRUE(d.diagnostics.above_furniture);
+  EXPECT_GT(iou(d.estimate.rectangle, room.rectangle()), 0.95);
+}
+
 TEST(RoomDetector, FindsMostFurnishedRoomsAfterTwoSweeps) {
   int right = 0, doors = 0, false_doors = 0;
   constexpr unsigned kRooms = 6;
