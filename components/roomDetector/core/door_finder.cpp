@@ -20,6 +20,7 @@ struct Wall {
   int index;
   std::vector<WallSlice> slices;
   Levels band;
+  std::vector<HitByWall> hits;
 };
 
 std::size_t slices_of(double metres, double resolution_m) {
@@ -81,6 +82,7 @@ DoorEstimate describe(const Wall& wall, const Run& run, DoorState state, const D
   door.evidence.occupied_share = share.occupied;
   door.evidence.free_share = share.free;
   if (state == DoorState::kUnexplored) return door;
+  door.gap = fit_jambs(wall.hits, door.gap, config.jamb);
   door.height_m = lintel_m(wall, run, config);
   count_beyond(wall, door.gap, config, door.evidence);
   return door;
@@ -130,13 +132,16 @@ std::vector<DoorEstimate> doors_in(const Wall& wall, const DoorFinderConfig& con
 
 DoorFinder::DoorFinder(const DoorFinderConfig& config) : config_(config) {}
 
-WallGaps DoorFinder::find(const ColumnMap& map, const Rectangle& rectangle) const {
+WallGaps DoorFinder::find(const ColumnMap& map, const Rectangle& rectangle,
+                          std::span<const WallPoint> hits) const {
   const Levels band = level_range(level_of(config_.band_from_m, map.resolution_m()),
                                   level_of(config_.band_to_m, map.resolution_m()));
   WallGaps gaps;
   double unexplored = 0.0, slices = 0.0;
   for (int i = 0; i < 4; ++i) {
-    const Wall wall{map, rectangle, i, profile_wall(map, rectangle, i), band};
+    const Wall wall{map,  rectangle,
+                    i,    profile_wall(map, rectangle, i),
+                    band, hits_by_wall(hits, rectangle, i, config_.jamb)};
     const auto doors = doors_in(wall, config_);
     gaps.doors.insert(gaps.doors.end(), doors.begin(), doors.end());
     const auto size = static_cast<double>(wall.slices.size());

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "components/roomDetector/core/column_map.hpp"
+#include "components/roomDetector/core/jamb_fit.hpp"
 #include "interfaces/model/room.hpp"
 
 namespace enfilade::room_detector {
@@ -20,6 +22,7 @@ struct DoorFinderConfig {
   double beyond_from_m = 0.3;     ///< what lies so far behind the wall …
   double beyond_to_m = 8.0;       ///< … to so far, and
   double beyond_floor_m = 0.3;    ///< so high above the floor, tells a room from open ground
+  JambFitConfig jamb;
 };
 
 /// The gaps of all four walls, by wall and then by position, and how much of the walls was never observed.
@@ -34,7 +37,8 @@ struct WallGaps {
 class DoorFinder {
  public:
   explicit DoorFinder(const DoorFinderConfig& config);
-  WallGaps find(const ColumnMap& map, const Rectangle& rectangle) const;
+  /// `hits`: returns at the heights of band_from_m … band_to_m, from which the ends of open gaps are fitted.
+  WallGaps find(const ColumnMap& map, const Rectangle& rectangle, std::span<const WallPoint> hits = {}) const;
 
  private:
   DoorFinderConfig config_;

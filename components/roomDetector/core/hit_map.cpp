@@ -16,10 +16,10 @@ std::uint64_t axis_index(double metres, double resolution_m) {
 
 void HitMap::clear() { *this = HitMap(); }
 
-void HitMap::add(const std::vector<CellHit>& hits, double resolution_m) {
+void HitMap::add(const std::vector<CellHit>& hits, double resolution_m, double cell_m) {
   for (const CellHit& hit : hits) {
-    const std::uint64_t key = axis_index(hit.x_m, resolution_m) << 40 |
-                              axis_index(hit.y_m, resolution_m) << 20 | axis_index(hit.z_m, resolution_m);
+    const std::uint64_t key = axis_index(hit.x_m, cell_m) << 40 | axis_index(hit.y_m, cell_m) << 20 |
+                              axis_index(hit.z_m, resolution_m);
     const auto [entry, is_new] = index_.try_emplace(key, cells_.size());
     if (is_new) cells_.push_back({.level = level_of(hit.z_m, resolution_m)});
     Sum& sum = cells_[entry->second];
@@ -30,10 +30,10 @@ void HitMap::add(const std::vector<CellHit>& hits, double resolution_m) {
   }
 }
 
-std::vector<WallPoint> HitMap::points(const WallBand& band) const {
+std::vector<WallPoint> HitMap::points(int from_level, int to_level) const {
   std::vector<WallPoint> points;
   for (const Sum& cell : cells_) {
-    if (cell.level < band.from || cell.level >= band.to) continue;
+    if (cell.level < from_level || cell.level >= to_level) continue;
     points.push_back({{cell.x_m / cell.count, cell.y_m / cell.count}, cell.count});
   }
   return points;

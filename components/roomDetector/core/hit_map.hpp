@@ -22,12 +22,16 @@ struct WallPoint {
 class HitMap {
  public:
   void clear();
-  void add(const std::vector<CellHit>& hits, double resolution_m);
+  /// `cell_m` is the side of the upright cells the returns are summed in, `resolution_m` their height: a
+  /// level.
+  void add(const std::vector<CellHit>& hits, double resolution_m, double cell_m);
+  void add(const std::vector<CellHit>& hits, double resolution_m) { add(hits, resolution_m, resolution_m); }
 
   bool empty() const { return cells_.empty(); }
   std::uint64_t count() const { return count_; }
   /// Mean positions of the returns in the cells of a band of heights.
-  std::vector<WallPoint> points(const WallBand& band) const;
+  std::vector<WallPoint> points(const WallBand& band) const { return points(band.from, band.to); }
+  std::vector<WallPoint> points(int from_level, int to_level) const;
 
  private:
   struct Sum {

@@ -8,6 +8,8 @@
 namespace enfilade::room_detector {
 namespace {
 
+constexpr double kFineCell_m = 0.01;  // of the returns that tell where a jamb is
+
 /// The Hough space is centred on the robot, to the metre, so that rooms far from the zone's origin lie in it
 /// and votes need not be cast anew while the robot turns about.
 Point2 origin_near(const std::optional<Pose2>& T_zone_base) {
@@ -32,6 +34,7 @@ void RoomDetector::clear(double resolution_m) {
   map_.clear(resolution_m);
   votes_.clear();
   hits_.clear();
+  fine_hits_.clear();
   recent_hits_.clear();
   recent_pose_.reset();
 }
@@ -47,6 +50,7 @@ void RoomDetector::add_hits(const ScanHits& hits) {
     recent_pose_ = hits.T_zone_base;
   }
   hits_.add(hits.hits, map_.resolution_m());
+  fine_hits_.add(hits.hits, map_.resolution_m(), kFineCell_m);
   recent_hits_.add(hits.hits, map_.resolution_m());
 }
 
@@ -79,6 +83,12 @@ std::vector<WallPoint> RoomDetector::wall_points(const WallBand& band) const {
   return points;
 }
 
+std::vector<WallPoint> RoomDetector::door_hits() const {
+  const double r = map_.resolution_m();
+  return fine_hits_.points(level_of(config_.door_finder.band_from_m, r),
+                           level_of(config_.door_finder.band_to_m, r));
+}
+
 void RoomDetector::refine(Detection& d, const WallBand& band) const {
   const double reach = 1.5 * std::max(config_.hough.step_m, map_.resolution_m());
   d.diagnostics.fit = fitter_.fit(wall_points(band), d.diagnostics.coarse, reach);
@@ -96,7 +106,7 @@ void RoomDetector::refine(Detection& d, const WallBand& band) const {
 }
 
 void RoomDetector::find_doors(Detection& d, const HoughSpace& space) const {
-  WallGaps gaps = door_finder_.find(map_, d.estimate.rectangle);
+  WallGaps gaps = door_finder_.find(map_, d.estimate.rectangle, door_hits());
   d.estimate.unexplored_wall_share = gaps.unexplored_share;
   d.estimate.doors = config_.doors == DoorMethod::kEvidence
                          ? std::move(gaps.doors)

@@ -63,6 +63,7 @@ class RoomDetector {
   void find_doors(Detection& d, const HoughSpace& space) const;
   void fit_recent(Detection& d, const WallBand& band) const;
   std::vector<WallPoint> wall_points(const WallBand& band) const;
+  std::vector<WallPoint> door_hits() const;
 
   RoomDetectorConfig config_;
   ColumnMap map_;
@@ -70,7 +71,7 @@ class RoomDetector {
   RectangleSearch search_;
   RectangleFitter fitter_;
   DoorFinder door_finder_;
-  HitMap hits_, recent_hits_;
+  HitMap hits_, fine_hits_, recent_hits_;
   std::optional<Pose2> recent_pose_;
 };
 

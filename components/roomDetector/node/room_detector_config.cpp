@@ -42,6 +42,16 @@ void bind(ConfigBinder& c, RectangleFitConfig& fit) {
   c.number("min_wall_weight", fit.min_wall_weight, 1.0, 1e6);
 }
 
+void bind(ConfigBinder& c, JambFitConfig& jamb) {
+  c.number("reach_m", jamb.reach_m, 0.0, 0.5);
+  c.number("face_m", jamb.face_m, 0.005, 0.2);
+  c.number("reveal_from_m", jamb.reveal_from_m, 0.0, 0.5);
+  c.number("reveal_to_m", jamb.reveal_to_m, 0.05, 1.0);
+  c.number("reveal_width_m", jamb.reveal_width_m, 0.005, 0.2);
+  c.number("min_reveal_m", jamb.min_reveal_m, 0.0, 0.5);
+  c.number("min_weight", jamb.min_weight, 1.0, 1e6);
+}
+
 void bind(ConfigBinder& c, DoorFinderConfig& doors) {
   c.number("band_from_m", doors.band_from_m, 0.0, 2.0);
   c.number("band_to_m", doors.band_to_m, 0.2, 4.0);
@@ -54,6 +64,7 @@ void bind(ConfigBinder& c, DoorFinderConfig& doors) {
   c.number("beyond_from_m", doors.beyond_from_m, 0.0, 5.0);
   c.number("beyond_to_m", doors.beyond_to_m, 0.1, 30.0);
   c.number("beyond_floor_m", doors.beyond_floor_m, 0.0, 2.0);
+  c.group("jamb", [&](ConfigBinder& g) { bind(g, doors.jamb); });
 }
 
 }  // namespace

@@ -102,6 +102,7 @@ TEST(RoomDetector, FindsAHallThatACoarseScanShowsThinly) {
 
 TEST(RoomDetector, FindsMostFurnishedRoomsAfterTwoSweeps) {
   int right = 0, doors = 0, false_doors = 0;
+  std::vector<double> edge_errors_m;
   constexpr unsigned kRooms = 6;
   for (unsigned seed = 0; seed < kRooms; ++seed) {
     const auto room = test::RandomRooms(seed + 300).next();
@@ -111,15 +112,22 @@ TEST(RoomDetector, FindsMostFurnishedRoomsAfterTwoSweeps) {
     for (const DoorEstimate& door : d.estimate.doors) {
       if (door.state != DoorState::kOpen) continue;
       const Point2 at = segment_of(d.estimate.rectangle, door.gap).midpoint();
-      const bool is_true = std::any_of(room.doors.begin(), room.doors.end(), [&](const WallInterval& gap) {
+      const auto truth = std::find_if(room.doors.begin(), room.doors.end(), [&](const WallInterval& gap) {
         return (segment_of(room.rectangle(), gap).midpoint() - at).norm() < 0.3;
       });
-      ++(is_true ? doors : false_doors);
+      ++(truth != room.doors.end() ? doors : false_doors);
+      if (truth == room.doors.end()) continue;
+      const Segment seen = segment_of(d.estimate.rectangle, door.gap),
+                    real = segment_of(room.rectangle(), *truth);
+      edge_errors_m.push_back((seen.from - real.from).norm());
+      edge_errors_m.push_back((seen.to - real.to).norm());
     }
   }
   EXPECT_EQ(right, 6);
   EXPECT_GE(doors, 8);
   EXPECT_LE(false_doors, 1);
+  std::sort(edge_errors_m.begin(), edge_errors_m.end());
+  EXPECT_LE(edge_errors_m.at(edge_errors_m.size() / 2), 0.005);
 }
 
 TEST(RoomDetector, FindsNothingInNothing) {

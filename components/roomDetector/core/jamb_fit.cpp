@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "components/roomDetector/core/jamb_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace enfilade::room_detector {
+namespace {
+
+constexpr double kStrayShare = 0.02;  // of the returns of a face that lie beyond its end by noise
+constexpr double kHidden_m = 0.075;   // a face that ends so far before the gap is hidden, not at its end
+constexpr double kFrame_m = 0.04;     // a face that reaches so far past the reveal is a door frame
+
+/// One end of a gap. Positions are counted into the gap, from the edge of the cells.
+struct End {
+  double at_m;
+  double into_gap;  // +1 or -1, along the wall
+};
+
+struct Sample {
+  double into_m, outside_m, weight;
+};
+
+/// Returns about an end whose distance behind the wall lies in a range, deepest into the gap first.
+std::vector<Sample> samples_at(std::span<const HitByWall> hits, const End& end, double from_m, double to_m,
+                               double reach_m) {
+  std::vector<Sample> samples;
+  const auto first = std::lower_bound(hits.begin(), hits.end(), end.at_m - reach_m,
+                                      [](const HitByWall& hit, double s) { return hit.along_m < s; });
+  for (auto hit = first; hit != hits.end() && hit->along_m <= end.at_m + reach_m; ++hit) {
+    if (hit->outside_m < from_m || hit->outside_m > to_m) continue;
+    samples.push_back({(hit->along_m - end.at_m) * end.into_gap, hit->outside_m, hit->weight});
+  }
+  std::sort(samples.begin(), samples.end(),
+            [](const Sample& a, const Sample& b) { return a.into_m > b.into_m; });
+  return samples;
+}
+
+double weight_of(std::span<const Sample> samples) {
+  double sum = 0.0;
+  for (const Sample& s : samples) sum += s.weight;
+  return sum;
+}
+
+/// Where the samples, deepest first, reach `weight`.
+double position_at(std::span<const Sample> samples, double weight) {
+  double sum = 0.0;
+  for (const Sample& s : samples) {
+    sum += s.weight;
+    if (sum >= weight) return s.into_m;
+  }
+  return samples.back().into_m;
+}
+
+/// The jamb itself: the fullest stretch of `reveal_width_m` behind the wall, if it has depth; its median.
+std::optional<double> find_reveal(const std::vector<Sample>& samples, const JambFitConfig& config) {
+  std::span<const Sample> best;
+  double best_weight = 0.0, weight = 0.0;
+  for (std::size_t from = 0, to = 0; to < samples.size(); ++to) {
+    weight += samples[to].weight;
+    while (samples[from].into_m - samples[to].into_m > config.reveal_width_m)
+      weight -= samples[from++].weight;
+    if (weight <= best_weight) continue;
+    best_weight = weight;
+    best = std::span(samples).subspan(from, to + 1 - from);
+  }
+  if (best_weight < config.min_weight) return std::nullopt;
+  const auto [near, far] = std::minmax_element(
+      best.begin(), best.end(), [](const Sample& a, const Sample& b) { return a.outside_m < b.outside_m; });
+  if (far->outside_m - near->outside_m < config.min_reveal_m) return std::nullopt;
+  return position_at(best, 0.5 * best_weight);
+}
+
+/// The end of the wall's face: its outermost return, but for strays.
+std::optional<double> find_face_end(const std::vector<Sample>& samples, const JambFitConfig& config) {
+  const double weight = weight_of(samples);
+  if (weight < config.min_weight) return std::nullopt;
+  return position_at(samples, kStrayShare * weight);
+}
+
+double fit_end(std::span<const HitByWall> hits, const End& end, const JambFitConfig& config) {
+  const auto reveal =
+      find_reveal(samples_at(hits, end, config.reveal_from_m, config.reveal_to_m, config.reach_m), config);
+  const auto face =
+      find_face_end(samples_at(hits, end, -config.face_m, config.face_m, config.reach_m), config);
+  const bool has_frame = reveal && face && *face > *reveal + kFrame_m;
+  if (reveal && !has_frame) return end.at_m + end.into_gap * *reveal;
+  const bool is_hidden = !face || *face < -kHidden_m;
+  return is_hidden ? end.at_m : end.at_m + end.into_gap * *face;
+}
+
+}  // namespace
+
+std::vector<HitByWall> hits_by_wall(std::span<const WallPoint> hits, const Rectangle& rectangle, int wall,
+                                    const JambFitConfig& config) {
+  const Segment segment = rectangle.wall(wall);
+  const Point2 along = segment.direction(), outwards = rectangle.normal(wall);
+  std::vector<HitByWall> seen;
+  for (const WallPoint& hit : hits) {
+    const Point2 q = hit.position - segment.from;
+    const double outside = q.dot(outwards);
+    if (outside < -config.face_m || outside > config.reveal_to_m) continue;
+    seen.push_back({q.dot(along), outside, hit.weight});
+  }
+  std::sort(seen.begin(), seen.end(),
+            [](const HitByWall& a, const HitByWall& b) { return a.along_m < b.along_m; });
+  return seen;
+}
+
+WallInterval fit_jambs(std::span<const HitByWall> hits, const WallInterval& gap,
+                       const JambFitConfig& config) {
+  JambFitConfig shy = config;  // no end may come near the other one
+  shy.reach_m = std::min(config.reach_m, 0.4 * gap.width_m());
+  WallInterval fitted = gap;
+  fitted.from_m = fit_end(hits, {gap.from_m, 1.0}, shy);
+  fitted.to_m = fit_end(hits, {gap.to_m, -1.0}, shy);
+  return fitted;
+}
+
+}  // namespace enfilade::room_detector

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "components/roomDetector/core/hit_map.hpp"
+#include "interfaces/model/room.hpp"
+
+namespace enfilade::room_detector {
+
+struct JambFitConfig {
+  double reach_m = 0.2;          ///< a jamb may lie so far from the edge of the cells, either way
+  double face_m = 0.035;         ///< returns so near to the wall plane lie on the face of the wall
+  double reveal_from_m = 0.04;   ///< returns so far behind the plane …
+  double reveal_to_m = 0.4;      ///< … to so far may lie on the jamb itself
+  double reveal_width_m = 0.03;  ///< a jamb's returns spread no wider than this along the wall
+  double min_reveal_m = 0.04;    ///< the depth over which they are seen, at least
+  double min_weight = 12.0;      ///< returns that tell where a jamb is, at least
+};
+
+/// A return as a wall sees it.
+struct HitByWall {
+  double along_m = 0.0;    ///< from the wall's first corner
+  double outside_m = 0.0;  ///< behind the wall plane
+  double weight = 1.0;
+};
+
+/// Those of the returns that may lie on the wall or on a jamb of it, by along_m.
+std::vector<HitByWall> hits_by_wall(std::span<const WallPoint> hits, const Rectangle& rectangle, int wall,
+                                    const JambFitConfig& config);
+
+/// The interval with both ends moved from the edges of cells to the jambs: to the returns from the jamb
+/// itself where it was seen, else to where the face of the wall ends. An end that no returns tell stays.
+WallInterval fit_jambs(std::span<const HitByWall> hits, const WallInterval& gap, const JambFitConfig& config);
+
+}  // namespace enfilade::room_detector
