@@ -86,11 +86,15 @@ void HoughPlane::accumulate_interior() {
   }
 }
 
+std::array<int, 4> HoughPlane::walls(const BinRectangle& r) const {
+  return {along_p(r.d12, r.d23) - along_p(r.d12, r.d41),           // eq. 6: d41 ≤ p < d23
+          along_d(r.d34, r.d23) - along_d(r.d12, r.d23),           // eq. 8: d12 ≤ d < d34
+          along_p(r.d34, r.d23 + 1) - along_p(r.d34, r.d41 + 1),   // eq. 7: d41 < p ≤ d23
+          along_d(r.d34 + 1, r.d41) - along_d(r.d12 + 1, r.d41)};  // eq. 9: d12 < d ≤ d34
+}
+
 int HoughPlane::score(const BinRectangle& r) const {
-  const int h12 = along_p(r.d12, r.d23) - along_p(r.d12, r.d41);          // eq. 6: d41 ≤ p < d23
-  const int h23 = along_d(r.d34, r.d23) - along_d(r.d12, r.d23);          // eq. 8: d12 ≤ d < d34
-  const int h34 = along_p(r.d34, r.d23 + 1) - along_p(r.d34, r.d41 + 1);  // eq. 7: d41 < p ≤ d23
-  const int h41 = along_d(r.d34 + 1, r.d41) - along_d(r.d12 + 1, r.d41);  // eq. 9: d12 < d ≤ d34
+  const auto [h12, h23, h34, h41] = walls(r);
   const int inside = interior_below(r.d12, r.d34, r.d23) - interior_above(r.d12, r.d34, r.d41);
   const int contour_bins = 2 * (r.d34 - r.d12 + r.d23 - r.d41);
   return h12 + h23 + h34 + h41 - inside - toll_ * contour_bins;  // eq. 5

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -34,6 +35,8 @@ class HoughPlane {
   int interior_below(int d12, int d34, int d23) const { return interior(d12, d34, d23 - margin_); }
   int interior_above(int d12, int d34, int d41) const { return interior(d12, d34, d41 + 1 + margin_); }
 
+  /// h₁₂, h₂₃, h₃₄ and h₄₁ of eq. 6–9.
+  std::array<int, 4> walls(const BinRectangle& r) const;
   /// H_r of eq. 5–9, plus what `score: evidence` adds.
   int score(const BinRectangle& r) const;
 

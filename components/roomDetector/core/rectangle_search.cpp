@@ -70,6 +70,8 @@ std::optional<SearchResult> RectangleSearch::find_best(const HoughSpace& space,
     search_plane(plane_, space, angle.limits, best);
   }
   if (best.score <= kNever / 2) return std::nullopt;
+  if (plane_.alpha() != best.rectangle.alpha) plane_.build(space, best.rectangle.alpha);
+  result.walls = plane_.walls(best.rectangle);
   result.rectangle = best.rectangle;
   result.score = best.score;
   result.gap = std::max(0, best.gap_bound - best.score);

@@ -60,7 +60,7 @@ Detection RoomDetector::estimate(const std::optional<Pose2>& T_zone_base) {
   const HoughSpace& space = votes_.update(map_, band, origin_near(T_zone_base));  // eq. 1–3, steps 1 and 2
   const auto robot = T_zone_base ? std::optional(T_zone_base->translation()) : std::nullopt;
   const auto best = search_.find_best(space, robot);  // eq. 5–9, step 3
-  if (!best || best->score <= 0) return d;
+  if (!best || best->score <= 0 || !best->is_closed()) return d;
   d.diagnostics = {
       .above_furniture = band.above_furniture, .search = *best, .coarse = space.rectangle(best->rectangle)};
   d.estimate.found = true;

@@ -130,6 +130,11 @@ TEST(RoomDetector, FindsMostFurnishedRoomsAfterTwoSweeps) {
   EXPECT_LE(edge_errors_m.at(edge_errors_m.size() / 2), 0.005);
 }
 
+TEST(RoomDetector, FindsNoRoomInACorridorWithoutEnds) {
+  const auto corridor = test::RoomBuilder(40.0, 2.4, 2.9).build();
+  EXPECT_FALSE(detect(corridor, 2).estimate.found);
+}
+
 TEST(RoomDetector, FindsNothingInNothing) {
   RoomDetector detector({});
   detector.clear(0.05);
