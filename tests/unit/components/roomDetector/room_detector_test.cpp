@@ -91,7 +91,7 @@ TEST(RoomDetector, FindsAHallThatACoarseScanShowsThinly) {
   test::SimGrid grid(0.05);
   detector.clear(0.05);
   const Pose2 T_zone_base = room.T_zone_room * Pose2{-2.7, -0.6, 0.4};
-  for (const ScanHits& line : grid.sweep(room, T_zone_base, {.roll_step_deg = 2.0, .beam_step_deg = 1.5}))
+  for (const ScanHits& line : grid.sweep(room, T_zone_base, {.roll_step_deg = 4.0, .beam_step_deg = 2.0}))
     detector.add_hits(line);
   detector.update(grid.changes());
   const auto d = detector.estimate(T_zone_base);
