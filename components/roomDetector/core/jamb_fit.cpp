@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kStrayShare = 0.02;  // of the returns of a face that lie beyond its end by noise
 constexpr double kHidden_m = 0.075;   // a face that ends so far before the gap is hidden, not at its end
-constexpr double kFrame_m = 0.04;     // a face that reaches so far past the reveal is a door frame
+constexpr double kFrame_m = 0.02;     // a face that reaches so far past the reveal is a door frame
 
 /// One end of a gap. Positions are counted into the gap, from the edge of the cells.
 struct End {
@@ -80,12 +80,12 @@ std::optional<double> find_face_end(const std::vector<Sample>& samples, const Ja
 }
 
 double fit_end(std::span<const HitByWall> hits, const End& end, const JambFitConfig& config) {
-  const auto reveal =
-      find_reveal(samples_at(hits, end, config.reveal_from_m, config.reveal_to_m, config.reach_m), config);
   const auto face =
       find_face_end(samples_at(hits, end, -config.face_m, config.face_m, config.reach_m), config);
-  const bool has_frame = reveal && face && *face > *reveal + kFrame_m;
-  if (reveal && !has_frame) return end.at_m + end.into_gap * *reveal;
+  auto behind = samples_at(hits, end, config.reveal_from_m, config.reveal_to_m, config.reach_m);
+  // Where the face goes on, returns behind it are its noise, or those of a jamb with a frame before it.
+  if (face) std::erase_if(behind, [&](const Sample& s) { return s.into_m < *face - kFrame_m; });
+  if (const auto reveal = find_reveal(behind, config)) return end.at_m + end.into_gap * *reveal;
   const bool is_hidden = !face || *face < -kHidden_m;
   return is_hidden ? end.at_m : end.at_m + end.into_gap * *face;
 }

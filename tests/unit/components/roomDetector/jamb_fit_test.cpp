@@ -57,6 +57,17 @@ TEST(FitJambs, BelievesTheJambWhereFurnitureHidesTheFace) {
   EXPECT_NEAR(fitted(hits).to_m, kTo_m, 0.005);
 }
 
+TEST(FitJambs, DoesNotTakeTheNoiseOfTheFaceForAJamb) {
+  std::vector<WallPoint> hits;
+  add_face(hits);
+  for (const WallPoint& hit : std::vector(hits)) {
+    for (const double noise : {0.05, 0.07, 0.09})
+      hits.push_back({hit.position + noise * kRoom.normal(0), 1.0});
+  }
+  EXPECT_NEAR(fitted(hits).from_m, kFrom_m, 0.015);
+  EXPECT_NEAR(fitted(hits).to_m, kTo_m, 0.015);
+}
+
 TEST(FitJambs, IsNotLedAstrayByWhatStandsInTheNextRoom) {
   std::vector<WallPoint> hits;
   add_face(hits);
