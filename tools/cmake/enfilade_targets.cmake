@@ -54,7 +54,8 @@ function(enfilade_executable name)
   enfilade_use_pch(${name} enfilade_pch)
 endfunction()
 
-# enfilade_test(NAME LABEL unit|integration|e2e … SOURCES x_test.cpp … [DEPENDS lib …] [TIMEOUT seconds])
+# enfilade_test(NAME LABEL unit|interfaces|integration … SOURCES x_test.cpp … [DEPENDS lib …] [TIMEOUT seconds])
+# Target tests_<label> builds all tests of one label.
 function(enfilade_test name)
   cmake_parse_arguments(arg "" "TIMEOUT" "LABEL;SOURCES;DEPENDS" ${ARGN})
   if(NOT arg_TIMEOUT)
@@ -68,6 +69,12 @@ function(enfilade_test name)
   target_link_libraries(${name} PRIVATE enfilade_warnings enfilade_instrumentation ${arg_DEPENDS}
                         GTest::gtest GTest::gtest_main)
   enfilade_use_pch(${name} enfilade_test_pch)
+  foreach(label ${arg_LABEL})
+    if(NOT TARGET tests_${label})
+      add_custom_target(tests_${label})
+    endif()
+    add_dependencies(tests_${label} ${name})
+  endforeach()
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 TEST_LIST ${name}_cases PROPERTIES TIMEOUT ${arg_TIMEOUT}
                        ENVIRONMENT "TSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/support/tsan.supp")
   # A list does not survive the PROPERTIES of gtest_discover_tests.
