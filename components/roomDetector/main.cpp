@@ -4,5 +4,6 @@
 
 int main(int argc, char** argv) {
   using namespace enfilade;
-  return run_component<room_detector::RoomDetectorNode, room_detector::RoomDetectorNodeConfig>("roomDetector", argc, argv);
+  return run_component<room_detector::RoomDetectorNode, room_detector::RoomDetectorNodeConfig>("roomDetector",
+                                                                                               argc, argv);
 }

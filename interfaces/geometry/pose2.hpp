@@ -33,7 +33,9 @@ inline Point2 rotate(double yaw_rad, const Point2& p) {
   return {c * p.x() - s * p.y(), s * p.x() + c * p.y()};
 }
 
-inline Point2 operator*(const Pose2& T_a_b, const Point2& p_b) { return T_a_b.translation() + rotate(T_a_b.yaw_rad, p_b); }
+inline Point2 operator*(const Pose2& T_a_b, const Point2& p_b) {
+  return T_a_b.translation() + rotate(T_a_b.yaw_rad, p_b);
+}
 
 inline Pose2 operator*(const Pose2& T_a_b, const Pose2& T_b_c) {
   const Point2 t = T_a_b * T_b_c.translation();

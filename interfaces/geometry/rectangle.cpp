@@ -29,7 +29,8 @@ std::vector<Point2> clip(const std::vector<Point2>& polygon, const Rectangle& r,
     const double p_out = normal.dot(p) - limit;
     const double q_out = normal.dot(q) - limit;
     if (p_out <= 0.0) kept.push_back(p);
-    if ((p_out < 0.0 && q_out > 0.0) || (p_out > 0.0 && q_out < 0.0)) kept.push_back(p + p_out / (p_out - q_out) * (q - p));
+    if ((p_out < 0.0 && q_out > 0.0) || (p_out > 0.0 && q_out < 0.0))
+      kept.push_back(p + p_out / (p_out - q_out) * (q - p));
   }
   return kept;
 }

@@ -17,7 +17,9 @@ struct Segment {
   Point2 direction() const { return (to - from).normalized(); }
 };
 
-inline Segment operator*(const Pose2& T_a_b, const Segment& s_b) { return {T_a_b * s_b.from, T_a_b * s_b.to}; }
+inline Segment operator*(const Pose2& T_a_b, const Segment& s_b) {
+  return {T_a_b * s_b.from, T_a_b * s_b.to};
+}
 
 /// Overlap of two intervals divided by their union; 0 where they do not meet.
 double interval_iou(double from_a, double to_a, double from_b, double to_b);

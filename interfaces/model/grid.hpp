@@ -11,8 +11,8 @@ namespace enfilade {
 
 enum class CellState : std::uint8_t { kUnexplored = 0, kFree = 1, kOccupied = 2 };
 
-/// A cell of the zone's grid: its centre is at ((x + ½) r, (y + ½) r, (z + ½) r) in the zone frame, r the resolution. z = 0 lies
-/// on the floor.
+/// A cell of the zone's grid: its centre is at ((x + ½) r, (y + ½) r, (z + ½) r) in the zone frame, r the
+/// resolution. z = 0 lies on the floor.
 struct GridCell {
   std::int16_t x = 0, y = 0, z = 0;
   CellState state = CellState::kUnexplored;
@@ -20,8 +20,9 @@ struct GridCell {
   bool operator==(const GridCell&) const = default;
 };
 
-/// Cells whose state changed. `sequence` counts 1, 2, 3 … within an epoch; a reader that misses one asks for a snapshot.
-/// A snapshot is the same message with every cell that is not unexplored and the sequence it includes.
+/// Cells whose state changed. `sequence` counts 1, 2, 3 … within an epoch; a reader that misses one asks for
+/// a snapshot. A snapshot is the same message with every cell that is not unexplored and the sequence it
+/// includes.
 struct GridChange {
   ZoneTag tag;
   std::uint64_t sequence = 0;

@@ -8,7 +8,13 @@
 
 namespace enfilade {
 
-enum class LifecycleState : std::uint8_t { kInitializing = 0, kComputing = 1, kEmergency = 2, kRestoring = 3, kStopping = 4 };
+enum class LifecycleState : std::uint8_t {
+  kInitializing = 0,
+  kComputing = 1,
+  kEmergency = 2,
+  kRestoring = 3,
+  kStopping = 4
+};
 
 /// From the component's own executor thread, so that a hung loop is seen and not only a dead process.
 struct Heartbeat {

@@ -22,7 +22,8 @@ enum class SweepAction : std::uint8_t {
 
 /// What the sweep motor shall do. The angle between two scan lines is speed ÷ line rate.
 struct SweepCommand {
-  std::uint32_t sweep_id = 0;  ///< chosen by the writer; a command already carried out or under way is ignored
+  std::uint32_t sweep_id =
+      0;  ///< chosen by the writer; a command already carried out or under way is ignored
   SweepAction action = SweepAction::kPark;
   double from_rad = 0.0;
   double to_rad = 0.0;

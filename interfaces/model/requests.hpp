@@ -9,8 +9,8 @@
 
 namespace enfilade {
 
-/// Ties a reply to its request: `client` is unique to one run of one component, `number` counts its calls. A repeated
-/// request carries the same id and gets the same answer.
+/// Ties a reply to its request: `client` is unique to one run of one component, `number` counts its calls. A
+/// repeated request carries the same id and gets the same answer.
 struct CallId {
   std::string client;
   std::uint64_t number = 0;
@@ -19,7 +19,8 @@ struct CallId {
   auto operator<=>(const CallId&) const = default;
 };
 
-/// explorer → topoGraph: the model of this zone's room is stable; put it into the graph (eq. 20 against the common door).
+/// explorer → topoGraph: the model of this zone's room is stable; put it into the graph (eq. 20 against the
+/// common door).
 struct FixRoomRequest {
   CallId call;
   RoomEstimate estimate;
@@ -36,7 +37,8 @@ struct FixRoomReply {
   bool operator==(const FixRoomReply&) const = default;
 };
 
-/// explorer → topoGraph: the robot has crossed `via_door` and stands still at `T_zone_base` of the zone it leaves.
+/// explorer → topoGraph: the robot has crossed `via_door` and stands still at `T_zone_base` of the zone it
+/// leaves.
 struct EnterZoneRequest {
   CallId call;
   RoomId from_room = 0;

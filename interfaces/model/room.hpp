@@ -36,8 +36,9 @@ Segment segment_of(const Rectangle& rectangle, const WallInterval& interval);
 struct DoorEvidence {
   double occupied_share = 0.0;
   double free_share = 0.0;
-  std::uint32_t beyond_occupied_cells = 0;  ///< occupied cells above the floor, seen through the gap behind the wall
-  std::uint32_t beyond_free_cells = 0;      ///< free cells there
+  std::uint32_t beyond_occupied_cells =
+      0;  ///< occupied cells above the floor, seen through the gap behind the wall
+  std::uint32_t beyond_free_cells = 0;  ///< free cells there
 
   bool operator==(const DoorEvidence&) const = default;
 };
@@ -61,10 +62,11 @@ struct RoomEstimate {
   StampNs stamp_ns = 0;             ///< of the newest scan line taken into account
   bool found = false;               ///< whether any rectangle fits; the fields below mean nothing otherwise
   Rectangle rectangle;
-  double score = 0.0;               ///< H_r (eq. 5), or nats for score: evidence
+  double score = 0.0;  ///< H_r (eq. 5), or nats for score: evidence
   std::optional<RectangleCovariance> covariance;
-  std::vector<Point2> polygon;      ///< outline where the room is more than a rectangle; empty = the rectangle itself
-  std::vector<DoorEstimate> doors;  ///< gaps of every state, by wall, then by `from_m`
+  std::vector<Point2>
+      polygon;  ///< outline where the room is more than a rectangle; empty = the rectangle itself
+  std::vector<DoorEstimate> doors;     ///< gaps of every state, by wall, then by `from_m`
   double unexplored_wall_share = 1.0;  ///< of the cells of the four wall planes within the door band
   /// r(i+1) of eq. 18–19: the same room fitted to the points of the last sweep alone, sizes held.
   std::optional<Rectangle> recent;

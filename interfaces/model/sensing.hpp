@@ -9,8 +9,8 @@
 namespace enfilade {
 
 /// One line of a 2D range finder (rt/scan). `stamp_ns` is the time of the first beam; beam i is taken
-/// `i * time_increment_s` later at `angle_min_rad + i * angle_increment_rad`. Ranges follow REP-117: +inf nothing within reach,
-/// -inf too close, NaN no valid measurement.
+/// `i * time_increment_s` later at `angle_min_rad + i * angle_increment_rad`. Ranges follow REP-117: +inf
+/// nothing within reach, -inf too close, NaN no valid measurement.
 struct LaserScan {
   StampNs stamp_ns = 0;
   std::string frame_id;

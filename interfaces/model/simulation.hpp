@@ -16,7 +16,8 @@ struct ClockTick {
   bool operator==(const ClockTick&) const = default;
 };
 
-/// A component has handled all that it was sent up to this simulated time; the simulator goes no further ahead than its window.
+/// A component has handled all that it was sent up to this simulated time; the simulator goes no further
+/// ahead than its window.
 struct SimCredit {
   std::string component_name;
   StampNs done_ns = 0;

@@ -22,6 +22,8 @@ const DoorFace* TopologicalMap::find_face(const Door& door, RoomId room) {
   return door.other_face && door.other_face->room == room ? &*door.other_face : nullptr;
 }
 
-Segment segment_in_map(const Room& room, const DoorFace& face) { return segment_of(room.rectangle(), face.gap); }
+Segment segment_in_map(const Room& room, const DoorFace& face) {
+  return segment_of(room.rectangle(), face.gap);
+}
 
 }  // namespace enfilade

@@ -51,7 +51,9 @@ struct Room {
   std::uint32_t zone_id = 0;    ///< the zone it was modelled in
   StampNs fixed_ns = 0;
 
-  Rectangle rectangle() const { return {T_map_room.yaw_rad, T_map_room.x_m, T_map_room.y_m, width_m, height_m}; }
+  Rectangle rectangle() const {
+    return {T_map_room.yaw_rad, T_map_room.x_m, T_map_room.y_m, width_m, height_m};
+  }
   bool operator==(const Room&) const = default;
 };
 
@@ -75,11 +77,12 @@ Segment segment_in_map(const Room& room, const DoorFace& face);
 /// Latched by topoGraph: the space that is being modelled now.
 struct CurrentZone {
   std::uint32_t zone_id = 0;
-  std::optional<RoomId> room;      ///< set once the zone's room is in the graph, or when a known room was entered again
-  std::optional<RoomId> from_room; ///< where the robot came from
+  std::optional<RoomId>
+      room;  ///< set once the zone's room is in the graph, or when a known room was entered again
+  std::optional<RoomId> from_room;  ///< where the robot came from
   std::optional<DoorId> via_door;
   Pose2 T_map_zone;
-  StampNs valid_from_ns = 0;       ///< scans older than this belong to the zone before
+  StampNs valid_from_ns = 0;  ///< scans older than this belong to the zone before
 
   bool operator==(const CurrentZone&) const = default;
 };

@@ -6,7 +6,10 @@
 namespace enfilade {
 
 Transform3 to_transform3(const Pose2& pose) {
-  return {.x_m = pose.x_m, .y_m = pose.y_m, .qz = std::sin(0.5 * pose.yaw_rad), .qw = std::cos(0.5 * pose.yaw_rad)};
+  return {.x_m = pose.x_m,
+          .y_m = pose.y_m,
+          .qz = std::sin(0.5 * pose.yaw_rad),
+          .qw = std::cos(0.5 * pose.yaw_rad)};
 }
 
 Pose2 to_pose2(const Transform3& t) {

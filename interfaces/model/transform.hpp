@@ -9,8 +9,8 @@
 
 namespace enfilade {
 
-/// A rigid motion in space as it travels: translation in metres and a unit quaternion. Kept apart from Pose2 so that a message
-/// survives the wire bit for bit.
+/// A rigid motion in space as it travels: translation in metres and a unit quaternion. Kept apart from Pose2
+/// so that a message survives the wire bit for bit.
 struct Transform3 {
   double x_m = 0.0, y_m = 0.0, z_m = 0.0;
   double qx = 0.0, qy = 0.0, qz = 0.0, qw = 1.0;

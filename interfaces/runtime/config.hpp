@@ -12,7 +12,8 @@
 
 namespace enfilade {
 
-/// A configuration that cannot be used. `what()` holds one line per problem: "file:line: key: what is wrong, what to do".
+/// A configuration that cannot be used. `what()` holds one line per problem: "file:line: key: what is wrong,
+/// what to do".
 class ConfigError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -21,8 +22,9 @@ class ConfigError : public std::runtime_error {
 /// "KEY=VALUE" from the command line; KEY is dotted for groups ("period.compute_s").
 using ConfigOverrides = std::vector<std::string>;
 
-/// Binds the keys of one YAML map to the fields of a Config struct. The struct holds the defaults; a key that is absent leaves
-/// its field alone. Unknown, duplicate, ill-typed and out-of-range keys are collected and reported together by load_config().
+/// Binds the keys of one YAML map to the fields of a Config struct. The struct holds the defaults; a key that
+/// is absent leaves its field alone. Unknown, duplicate, ill-typed and out-of-range keys are collected and
+/// reported together by load_config().
 class ConfigBinder {
  public:
   virtual ~ConfigBinder() = default;
@@ -36,7 +38,8 @@ class ConfigBinder {
 
   /// One of a set of names.
   template <class Enum>
-  void choice(std::string_view key, Enum& value, std::initializer_list<std::pair<std::string_view, Enum>> names) {
+  void choice(std::string_view key, Enum& value,
+              std::initializer_list<std::pair<std::string_view, Enum>> names) {
     std::vector<std::string> allowed;
     std::size_t index = 0;
     for (const auto& [name, meaning] : names) {
@@ -49,7 +52,8 @@ class ConfigBinder {
 
  protected:
   /// Index of the chosen name; `current` where the key is absent or wrong.
-  virtual std::size_t one_of(std::string_view key, std::size_t current, const std::vector<std::string>& allowed) = 0;
+  virtual std::size_t one_of(std::string_view key, std::size_t current,
+                             const std::vector<std::string>& allowed) = 0;
 };
 
 /// How often the life cycle calls the node.
@@ -63,14 +67,16 @@ inline void bind(ConfigBinder& c, PeriodConfig& period) {
   c.number("emergency_s", period.emergency_s, 0.01, 60.0);
 }
 
-/// Reads `file` (YAML) into a binder that `bind_all` fills fields through, applies `overrides`, and throws ConfigError naming
-/// every problem at once. Returns the resolved configuration as YAML text, for the log.
+/// Reads `file` (YAML) into a binder that `bind_all` fills fields through, applies `overrides`, and throws
+/// ConfigError naming every problem at once. Returns the resolved configuration as YAML text, for the log.
 std::string load_config(const std::string& file, const ConfigOverrides& overrides,
                         const std::function<void(ConfigBinder&)>& bind_all);
 
-/// Every component declares `struct XConfig` with a member `PeriodConfig period` and a free function `bind(ConfigBinder&, XConfig&)`.
+/// Every component declares `struct XConfig` with a member `PeriodConfig period` and a free function
+/// `bind(ConfigBinder&, XConfig&)`.
 template <class Config>
-Config load_config(const std::string& file, const ConfigOverrides& overrides = {}, std::string* resolved = nullptr) {
+Config load_config(const std::string& file, const ConfigOverrides& overrides = {},
+                   std::string* resolved = nullptr) {
   Config config;
   const std::string text = load_config(file, overrides, [&config](ConfigBinder& c) { bind(c, config); });
   if (resolved) *resolved = text;

@@ -31,12 +31,14 @@ struct NodeContext {
   Lifecycle& lifecycle;
 };
 
-/// The thin shell round a component's core: it moves values between the bus and the core. Written once, it runs deployed (a
-/// process on DDS) and composed (on the in-process bus). All calls come from one executor thread.
+/// The thin shell round a component's core: it moves values between the bus and the core. Written once, it
+/// runs deployed (a process on DDS) and composed (on the in-process bus). All calls come from one executor
+/// thread.
 class Node {
  public:
   virtual ~Node() = default;
-  /// Once, before anything else: open topics. May throw ConfigError or std::runtime_error, which ends the process.
+  /// Once, before anything else: open topics. May throw ConfigError or std::runtime_error, which ends the
+  /// process.
   virtual void initialize() = 0;
   /// Every `period.compute_s` of the component's configuration.
   virtual void compute() = 0;

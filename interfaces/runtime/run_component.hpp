@@ -21,9 +21,10 @@ struct ComponentRecipe {
 
 /// The body of every component's main: parses the command line
 ///   NAME [--config FILE] [--set KEY=VALUE]… [--domain N] [--sim-time] [--log-level LEVEL]
-/// loads the configuration (default: etc/NAME.yaml of this checkout or install), takes the host lock (one NAME per domain and
-/// host), joins DDS, drives the life cycle until SIGINT or SIGTERM, and returns the exit status: 0 after a stop in good order,
-/// 2 for a wrong command line or configuration, 1 for anything else, with one sentence on stderr.
+/// loads the configuration (default: etc/NAME.yaml of this checkout or install), takes the host lock (one
+/// NAME per domain and host), joins DDS, drives the life cycle until SIGINT or SIGTERM, and returns the exit
+/// status: 0 after a stop in good order, 2 for a wrong command line or configuration, 1 for anything else,
+/// with one sentence on stderr.
 int run_component(const ComponentRecipe& recipe, int argc, char** argv);
 
 template <class NodeType, class Config>
@@ -39,7 +40,8 @@ int run_component(const std::string& name, int argc, char** argv) {
                 return resolved;
               },
           .period = [&config] { return config.period; },
-          .make_node = [&config](const NodeContext& context) { return std::make_unique<NodeType>(context, config); },
+          .make_node =
+              [&config](const NodeContext& context) { return std::make_unique<NodeType>(context, config); },
       },
       argc, argv);
 }

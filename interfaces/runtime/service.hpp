@@ -13,7 +13,8 @@
 
 namespace enfilade {
 
-/// Answers every request on `service`. A request may be repeated: `answer` must give the same answer to the same CallId.
+/// Answers every request on `service`. A request may be repeated: `answer` must give the same answer to the
+/// same CallId.
 template <class Q, class A>
 void serve(Bus& bus, const Service<Q, A>& service, std::function<A(const Q&)> answer) {
   auto reply = std::make_shared<Publisher<A>>(bus.advertise(service.reply));
@@ -24,7 +25,8 @@ void serve(Bus& bus, const Service<Q, A>& service, std::function<A(const Q&)> an
   });
 }
 
-/// Asks one question at a time and repeats it until it is answered, whichever of the two processes dies in between.
+/// Asks one question at a time and repeats it until it is answered, whichever of the two processes dies in
+/// between.
 template <class Q, class A>
 class Client {
  public:
@@ -79,7 +81,8 @@ class Client {
   std::optional<Pending> pending_;
 };
 
-/// Tells two runs of one component apart: the process id, or nothing in a composed run (see set_process_run_id).
+/// Tells two runs of one component apart: the process id, or nothing in a composed run (see
+/// set_process_run_id).
 const std::string& process_run_id();
 /// Composed runs set it to "" so that every run is the same byte for byte.
 void set_process_run_id(std::string id);

@@ -12,13 +12,14 @@ struct Qos {
   int depth = 10;
 };
 
-/// One row of the topic table. Writers and readers are names of components, separated by one space; "*" is every component.
-/// Tools (participants whose name starts with "enfilade") may read everything and write nothing but what lists them.
+/// One row of the topic table. Writers and readers are names of components, separated by one space; "*" is
+/// every component. Tools (participants whose name starts with "enfilade") may read everything and write
+/// nothing but what lists them.
 struct TopicInfo {
   std::string_view name;       ///< DDS topic name; "rt/x" is the ROS 2 topic /x
   std::string_view wire_type;  ///< DDS type name
   Qos qos;
-  double rate_hz = 0.0;        ///< nominal; 0 = on events
+  double rate_hz = 0.0;  ///< nominal; 0 = on events
   std::string_view writers;
   std::string_view readers;
 };

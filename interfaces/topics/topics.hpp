@@ -77,8 +77,8 @@ template <class Visitor>
 void for_each_topic(Visitor&& visit) {
   const auto all = [&visit](const auto&... topic) { (visit(topic), ...); };
   all(kClock, kScan, kPoints, kPointsFree, kJointStates, kOdom, kTf, kTfStatic, kCmdVel, kRosout);
-  all(kSweepCommand, kMotorState, kGridChange, kScanHits, kRoomEstimate, kExplorationState, kTopologicalMap, kCurrentZone,
-      kPoseCorrection, kHeartbeat);
+  all(kSweepCommand, kMotorState, kGridChange, kScanHits, kRoomEstimate, kExplorationState, kTopologicalMap,
+      kCurrentZone, kPoseCorrection, kHeartbeat);
   all(kSimCredit, kSimActuation, kSimEncoders, kSimScan, kGroundTruth);
   const auto services = [&all](const auto&... service) { (all(service.request, service.reply), ...); };
   services(kFixRoom, kEnterZone, kMarkDoor, kGridSnapshot);

@@ -39,7 +39,8 @@ void add_all(ComposedSystem& system, const Settings& settings) {
   add<motor_control::MotorControlNode, motor_control::MotorControlConfig>(system, "motorControl", settings);
   add<laser_3d::Laser3DNode, laser_3d::Laser3DConfig>(system, "laser3D", settings);
   add<grid_builder::GridBuilderNode, grid_builder::GridBuilderConfig>(system, "gridBuilder", settings);
-  add<room_detector::RoomDetectorNode, room_detector::RoomDetectorNodeConfig>(system, "roomDetector", settings);
+  add<room_detector::RoomDetectorNode, room_detector::RoomDetectorNodeConfig>(system, "roomDetector",
+                                                                              settings);
   add<topo_graph::TopoGraphNode, topo_graph::TopoGraphConfig>(system, "topoGraph", settings);
   add<explorer::ExplorerNode, explorer::ExplorerConfig>(system, "explorer", settings);
 }

@@ -15,7 +15,7 @@ struct WallVotesConfig {
   Score score = Score::kEvidence;  ///< kPaper: occupied cells count one each, nothing else counts
   double free_weight = 0.5;  ///< kEvidence: a free cell on the contour takes away so much of an occupied one
   double interior_share =
-      0.5;  ///< kEvidence: wall inside the room takes away so much of an ordinary wall column
+      1.5;  ///< kEvidence: wall inside the room takes away so much of an ordinary wall column
   double toll_share = 0.05;        ///< kEvidence: contour costs so much of an ordinary wall
   double contour_margin_m = 0.15;  ///< kEvidence: what is so near to a wall is a part of it, not inside
 };
