@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "interfaces/convert/grid.hpp"
 
+#include <cmath>
+
 namespace enfilade::wire {
 
 namespace {
@@ -28,7 +30,16 @@ own::CellHit_ hit_to_wire(const CellHit& hit) {
   return out;
 }
 
-CellHit hit_from_wire(const own::CellHit_& hit) { return {hit.x_m(), hit.y_m(), hit.z_m(), hit.count()}; }
+CellHit hit_from_wire(const own::CellHit_& hit) {
+  if (hit.count() == 0) throw WireError("a cell was hit by 0 returns");
+  return {hit.x_m(), hit.y_m(), hit.z_m(), hit.count()};
+}
+
+double resolution_from_wire(double resolution_m) {
+  if (!std::isfinite(resolution_m) || resolution_m <= 0.0)
+    throw WireError("the resolution of a grid is " + std::to_string(resolution_m) + " m");
+  return resolution_m;
+}
 
 }  // namespace
 
@@ -44,8 +55,8 @@ own::GridChange_ to_wire(const GridChange& change) {
 
 GridChange from_wire(const own::GridChange_& change) {
   check_count(change.cells().size(), kMaxGridCells, "grid cells");
-  return {from_wire(change.tag()), change.number(), change.stamp_ns(), change.resolution_m(),
-          each<GridCell>(change.cells(), cell_from_wire)};
+  return {from_wire(change.tag()), change.number(), change.stamp_ns(),
+          resolution_from_wire(change.resolution_m()), each<GridCell>(change.cells(), cell_from_wire)};
 }
 
 own::ScanHits_ to_wire(const ScanHits& hits) {

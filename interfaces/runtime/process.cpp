@@ -29,6 +29,8 @@ namespace {
 
 using std::chrono::milliseconds;
 
+/// Exit status of a component that would refuse its command line, configuration or input again.
+constexpr int kRefused = 2;
 constexpr milliseconds kShutdownLimit{1500};  // for the work at hand and Node::shutdown()
 constexpr milliseconds kExitLimit{300};       // for leaving the bus; both together stay below 2 s
 
@@ -113,10 +115,8 @@ class Process {
     try {
       component_.start();
       log_.info("running");
-    } catch (const ConfigError& e) {
-      fail(2, e.what());
     } catch (const std::exception& e) {
-      fail(1, e.what());
+      fail(kRefused, e.what());
     }
   }
 
@@ -186,7 +186,7 @@ int run_process(const ComponentRecipe& recipe, int argc, const char* const* argv
     return run(recipe, *line, make_bus);
   } catch (const ConfigError& e) {
     complain(recipe.name, e.what());
-    return 2;
+    return kRefused;
   } catch (const std::exception& e) {
     complain(recipe.name, e.what());
     return 1;

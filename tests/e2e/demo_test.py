@@ -68,13 +68,14 @@ class WholeDemo(Finished):
         composed = json.loads(explore(PAPER_WORLD))
         self.assertEqual(len(report["rooms"]), len(composed["rooms"]))
         for mine, other in zip(report["rooms"], composed["rooms"]):
-            for key in ("width_m", "height_m"):
+            for key in ("x_m", "y_m", "yaw_rad", "width_m", "height_m"):
                 self.assertAlmostEqual(mine[key], other[key], delta=HOUGH_STEP_M)
         kinds = [sorted(door["kind"] for door in r["doors"]) for r in (report, composed)]
         self.assertEqual(*kinds)
         for mine in report["doors"]:
             other = next(d for d in composed["doors"] if d["kind"] == mine["kind"])
-            self.assertAlmostEqual(mine["width_m"], other["width_m"], delta=2 * HOUGH_STEP_M)
+            for key in ("x_m", "y_m", "width_m"):
+                self.assertAlmostEqual(mine[key], other[key], delta=HOUGH_STEP_M, msg=f"{key} of {mine}")
 
     def assert_files(self, folder):
         names = {p.name for p in folder.iterdir()}

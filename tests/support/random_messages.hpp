@@ -124,8 +124,14 @@ class RandomMessages {
     all(v.x, v.y, v.z);
     pick(v.state, CellState::kOccupied);
   }
-  void fill(GridChange& v) { all(v.tag, v.sequence, v.stamp_ns, v.resolution_m, v.cells); }
-  void fill(CellHit& v) { all(v.x_m, v.y_m, v.z_m, v.count); }
+  void fill(GridChange& v) {
+    all(v.tag, v.sequence, v.stamp_ns, v.cells);
+    v.resolution_m = static_cast<double>(1 + below(1'000'000)) * 1e-4;
+  }
+  void fill(CellHit& v) {
+    all(v.x_m, v.y_m, v.z_m);
+    v.count = static_cast<std::uint16_t>(1 + below(65'535));
+  }
   void fill(ScanHits& v) { all(v.tag, v.stamp_ns, v.T_zone_base, v.hits); }
 
   void fill(WallInterval& v) {

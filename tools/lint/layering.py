@@ -26,7 +26,7 @@ FORBIDDEN = [
     ("an interface", r"interfaces/", r"components/|tools/"),
     ("anything but interfaces/dds, interfaces/convert and their tests", r"(?!interfaces/(dds|convert)/|tests/)", r"fastdds/|fastrtps/|fastcdr/"),
     ("a core", r"(components/\w+|tools/simulator)/core/",
-     r"(thread|mutex|chrono|iostream|fstream|ctime|atomic|condition_variable|future|random_device)$"),
+     r"(thread|mutex|chrono|iostream|fstream|ctime|atomic|shared_mutex|semaphore|stop_token|filesystem|pthread\.h|unistd\.h|time\.h|condition_variable|future|random_device)$"),
 ]
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 STANDARD = re.compile(r"^[a-z_0-9]+(\.h)?$")

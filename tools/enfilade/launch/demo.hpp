@@ -29,7 +29,8 @@ int run_simulated_demo(const DemoOptions& options);
 /// laser3D (replay), gridBuilder and roomDetector look at a recorded scan. Exit status 0 if a room was found.
 int run_replay_demo(const DemoOptions& options);
 
-/// The output folder, made, with its log folder. Throws std::runtime_error if that cannot be.
+/// The output folder, made, with its log folder, and without what an earlier run has left there. Throws
+/// std::runtime_error if that cannot be.
 std::string prepare_out_folder(const DemoOptions& options);
 
 /// The processes of `components`, each with the domain, "--sim-time" where it applies, and its settings.

@@ -28,6 +28,19 @@ std::string last_line(const std::filesystem::path& file) {
   return last;
 }
 
+/// What an earlier run has left in its --out: it must be neither resumed nor mixed with this run's.
+void remove_earlier_run(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    const bool is_ours = name.starts_with("map.yaml") || name == "report.json" || name == "floorplan.svg" ||
+                         (name.starts_with("room") && name.ends_with(".svg"));
+    if (is_ours) std::filesystem::remove(entry.path(), ignored);
+  }
+  for (const std::string_view component : kComponents)
+    std::filesystem::remove(folder / "log" / fmt::format("{}.log", component), ignored);
+}
+
 }  // namespace
 
 std::string prepare_out_folder(const DemoOptions& options) {
@@ -39,6 +52,7 @@ std::string prepare_out_folder(const DemoOptions& options) {
   if (error)
     throw std::runtime_error(
         fmt::format("{}: cannot be made ({}): choose another --out", folder, error.message()));
+  remove_earlier_run(folder);
   return std::filesystem::absolute(folder).string();
 }
 

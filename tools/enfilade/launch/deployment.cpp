@@ -34,6 +34,15 @@ std::vector<std::string> Deployment::watch() {
   return lines;
 }
 
+bool Deployment::end(const std::string& component) {
+  for (Slot& slot : slots_) {
+    if (slot.member.component != component || !slot.process) continue;
+    slot.process->signal(SIGKILL);
+    return true;
+  }
+  return false;
+}
+
 std::string Deployment::mourn(Slot& slot, const Ending& ending) {
   const std::string what = fmt::format("{} {}", slot.member.component, ending.text());
   slot.process.reset();

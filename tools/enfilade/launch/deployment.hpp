@@ -35,6 +35,8 @@ class Deployment {
   /// Restarts what has died and may be restarted; returns a line for each thing that happened. To be called
   /// often.
   std::vector<std::string> watch();
+  /// Kills the process of one member, if it has one, as if it had died by itself.
+  bool end(const std::string& component);
   /// Whether a member is gone for good.
   bool failed() const { return failed_; }
   /// Asks all to stop, waits, insists. Returns a line for each that did not stop in good order.

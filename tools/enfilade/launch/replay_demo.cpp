@@ -17,7 +17,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// What has been seen of a replay so far.
+/// What has been seen of a replay so far. It does not read the points themselves: laser3D begins when
+/// somebody does, and that must be gridBuilder.
 struct Replay {
   StampNs last_line_ns = 0;
   std::size_t points = 0;
@@ -26,17 +27,17 @@ struct Replay {
   std::vector<Point2> hits;
 
   void listen(Bus& bus) {
-    bus.subscribe<PointCloud>(topics::kPoints, [this](const PointCloud& cloud) {
-      last_line_ns = cloud.stamp_ns;
-      points += cloud.points.size();
-      last_news = Clock::now();
-    });
     bus.subscribe<RoomEstimate>(topics::kRoomEstimate, [this](const RoomEstimate& news) {
       estimate = news;
       last_news = Clock::now();
     });
     bus.subscribe<ScanHits>(topics::kScanHits, [this](const ScanHits& line) {
-      for (const CellHit& hit : line.hits) hits.emplace_back(hit.x_m, hit.y_m);
+      last_line_ns = line.stamp_ns;
+      last_news = Clock::now();
+      for (const CellHit& hit : line.hits) {
+        points += hit.count;
+        hits.emplace_back(hit.x_m, hit.y_m);
+      }
     });
   }
 

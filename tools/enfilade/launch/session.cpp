@@ -3,12 +3,19 @@
 
 #include <atomic>
 #include <csignal>
+#include <exception>
 #include <future>
+
+#include "interfaces/dds/shared_memory.hpp"
+#include "interfaces/topics/topics.hpp"
 
 namespace enfilade::launch {
 namespace {
 
 std::atomic<bool> interrupted = false;
+
+/// Heartbeats come twice a second from the thread that does the work.
+constexpr std::chrono::seconds kHungAfter{8};
 
 void note_interrupt(int) { interrupted = true; }
 
@@ -19,13 +26,27 @@ Session::Session(DeploymentConfig deployment, int domain, std::function<void(con
       say_(std::move(say)),
       log_("enfilade", clock_, [this](const LogLine& line) { say_(line.text); }),
       bus_("enfilade", DdsConfig{.domain = domain}, executor_, log_) {
+  remove_stale_segments();
+  bus_.subscribe<Heartbeat>(topics::kHeartbeat, [this](const Heartbeat& beat) {
+    last_beat_[beat.component_name] = std::chrono::steady_clock::now();
+  });
   std::signal(SIGINT, note_interrupt);
   std::signal(SIGTERM, note_interrupt);
 }
 
 Session::~Session() { executor_.stop(); }
 
+void Session::end_the_hung() {
+  const auto now = std::chrono::steady_clock::now();
+  for (auto& [component, beat] : last_beat_) {
+    if (now - beat < kHungAfter) continue;
+    beat = now;  // its successor gets as long
+    if (deployment_.end(component)) say_(component + " hangs: ended");
+  }
+}
+
 std::optional<SessionEnd> Session::look(const std::function<bool()>& done) {
+  end_the_hung();
   for (const std::string& line : deployment_.watch()) say_(line);
   if (interrupted) return SessionEnd::kInterrupted;
   if (deployment_.failed()) return SessionEnd::kMemberLost;
@@ -38,18 +59,24 @@ SessionEnd Session::run(const std::function<bool()>& done) {
   bool ended = false;
   executor_.every_wall(from_seconds(0.1), [&] {
     if (ended) return;
-    const auto result = look(done);
-    if (!result) return;
+    try {
+      const auto result = look(done);
+      if (!result) return;
+      end.set_value(*result);
+    } catch (...) {
+      end.set_exception(std::current_exception());
+    }
     ended = true;
-    end.set_value(*result);
   });
   deployment_.start();
   executor_.start();
-  const SessionEnd result = end.get_future().get();
+  std::future<SessionEnd> result = end.get_future();
+  result.wait();
   executor_.stop();
   executor_.wait_stopped(std::chrono::seconds(5));
   for (const std::string& line : deployment_.stop()) say_(line);
-  return result;
+  remove_stale_segments();
+  return result.get();
 }
 
 }  // namespace enfilade::launch

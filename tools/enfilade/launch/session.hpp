@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <chrono>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -15,8 +17,8 @@ namespace enfilade::launch {
 
 enum class SessionEnd { kDone, kMemberLost, kInterrupted };
 
-/// A deployment together with somebody who listens to it: from start() to stop() all callbacks run on one
-/// thread.
+/// A deployment together with somebody who listens to it. All callbacks run on one thread. A member whose
+/// heartbeat stops though its process lives is ended, so that the deployment starts it again.
 class Session {
  public:
   /// `say` gets one line for each thing that happens to the processes.
@@ -32,11 +34,13 @@ class Session {
 
  private:
   std::optional<SessionEnd> look(const std::function<bool()>& done);
+  void end_the_hung();
 
   Deployment deployment_;
   std::function<void(const std::string&)> say_;
   SystemClock clock_;
   ComponentLog log_;
+  std::map<std::string, std::chrono::steady_clock::time_point> last_beat_;
   ThreadExecutor executor_;
   DdsBus bus_;
 };

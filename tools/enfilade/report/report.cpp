@@ -2,7 +2,6 @@
 #include "tools/enfilade/report/report.hpp"
 
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -34,13 +33,13 @@ void write_file(const std::string& path, const std::string& text) {
   std::ofstream file(temporary, std::ios::binary);
   file << text;
   file.close();
-  std::error_code error;
+  std::error_code error(file ? 0 : errno, std::generic_category());
   if (file) std::filesystem::rename(temporary, path, error);
-  if (!file || error) {
-    std::filesystem::remove(temporary, error);
-    throw std::runtime_error(fmt::format(
-        "{}: cannot be written ({}): choose another place with --out or --json", path, std::strerror(errno)));
-  }
+  if (!error) return;
+  std::error_code ignored;
+  std::filesystem::remove(temporary, ignored);
+  throw std::runtime_error(fmt::format(
+      "{}: cannot be written ({}): choose another place with --out or --json", path, error.message()));
 }
 
 void write_files(const Report& report, const std::string& folder) {

@@ -86,7 +86,7 @@ std::string to_json(const Report& report) {
            {"wall_time_s", report.wall_time_s},
            {"path_length_m", record.ground_truth.path_length_m},
            {"collisions", record.ground_truth.collisions},
-           {"sweeps", record.exploration.sweeps_total},
+           {"sweeps", record.sweeps},
            {"rooms", Json::array()},
            {"doors", Json::array()}};
   for (const RoomReport& room : report.evaluation.rooms) out["rooms"].push_back(room_json(room));

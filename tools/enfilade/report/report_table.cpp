@@ -51,8 +51,8 @@ std::string to_table(const Report& report) {
   const RunRecord& r = report.record;
   out += fmt::format(
       " in {:.0f} s of robot time ({:.0f} s of yours): {} sweeps, {:.1f} m driven, {} collisions\n",
-      seconds(r.exploration.stamp_ns), report.wall_time_s, r.exploration.sweeps_total,
-      r.ground_truth.path_length_m, r.ground_truth.collisions);
+      seconds(r.exploration.stamp_ns), report.wall_time_s, r.sweeps, r.ground_truth.path_length_m,
+      r.ground_truth.collisions);
   return out;
 }
 

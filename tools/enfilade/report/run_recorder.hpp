@@ -26,10 +26,13 @@ struct RunRecord {
   std::map<std::uint32_t, std::vector<draw::ScanFigure>>
       scans;  ///< by zone, of zones whose room was not in the graph yet
 
-  bool ended() const {
-    return exploration.phase == ExplorationPhase::kFinished || exploration.phase == ExplorationPhase::kStuck;
-  }
-  bool finished() const { return exploration.phase == ExplorationPhase::kFinished; }
+  StampNs stuck_since_ns = 0;  ///< 0 = is not stuck
+  std::uint32_t sweeps = 0;
+
+  /// Nothing more will happen: the explorer is done, or has been stuck for longer than it takes to try again.
+  bool ended() const;
+  /// The explorer is done, and no door was left without an answer.
+  bool finished() const;
 };
 
 /// Listens to a run, on whichever bus, and keeps what a report needs. A tool: it may read the ground truth.
@@ -48,12 +51,15 @@ class RunRecorder {
   void take_zone(const CurrentZone& zone);
   void take_transforms(const TransformList& list);
   void take_ground_truth(const GroundTruth& truth);
-  void keep_scan(const ExplorationState& state);
+  void take_estimate(const RoomEstimate& estimate);
+  void keep_scan();
 
   RunRecord record_;
   Pose2 T_world_start_;
   std::optional<CurrentZone> zone_;
   std::optional<RoomEstimate> estimate_;
+  bool scan_pending_ = false;  ///< a sweep is over whose estimate has not come yet
+  StampNs last_hits_ns_ = 0;
   std::optional<Odometry> odometry_;
   Pose2 T_map_odom_;
   Pose2 T_zone_base_;

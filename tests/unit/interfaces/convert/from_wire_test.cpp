@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstring>
+#include <limits>
 
 #include <gtest/gtest.h>
 
+#include "interfaces/convert/grid.hpp"
 #include "interfaces/convert/motion.hpp"
 #include "interfaces/convert/requests.hpp"
 #include "interfaces/convert/sensing.hpp"
@@ -95,6 +97,22 @@ TEST(EnumFromWire, RefusesValuesThatMeanNothing) {
   auto request = wire::to_wire(MarkDoorRequest{});
   request.kind(200);
   EXPECT_THROW(wire::from_wire(request), WireError);
+}
+
+TEST(GridFromWire, RefusesAGridWithoutAResolution) {
+  EXPECT_NO_THROW(wire::from_wire(wire::to_wire(GridChange{.resolution_m = 0.05})));
+  for (const double bad :
+       {0.0, -0.05, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    const auto change = wire::to_wire(GridChange{.resolution_m = bad});
+    EXPECT_THROW(wire::from_wire(change), WireError) << bad;
+    EXPECT_THROW(wire::from_wire(wire::to_wire(GridSnapshotReply{.snapshot = {.resolution_m = bad}})),
+                 WireError);
+  }
+}
+
+TEST(GridFromWire, RefusesACellHitByNothing) {
+  EXPECT_NO_THROW(wire::from_wire(wire::to_wire(ScanHits{.hits = {{1, 2, 3, 1}}})));
+  EXPECT_THROW(wire::from_wire(wire::to_wire(ScanHits{.hits = {{1, 2, 3, 0}}})), WireError);
 }
 
 TEST(RoomFromWire, RefusesAGapInAFifthWall) {
