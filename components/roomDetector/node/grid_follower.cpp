@@ -1,18 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "components/roomDetector/node/grid_follower.hpp"
 
+#include <cmath>
 #include <utility>
 
 namespace enfilade::room_detector {
+namespace {
+
+bool has_resolution(const GridChange& change) {
+  return std::isfinite(change.resolution_m) && change.resolution_m > 0.0;
+}
+
+}  // namespace
 
 void GridFollower::take_change(const GridChange& change) {
+  if (!has_resolution(change)) return;
   if (!tag_ || !(*tag_ == change.tag)) {
     held_back_.clear();
     is_waiting_ = false;
     begin(change);
     if (change.sequence > 1) return wait_for_snapshot(change);
   }
-  if (is_waiting_) {
+  if (is_waiting_ && held_back_.size() >= kMostHeldBack) {
+    held_back_.clear();  // a snapshot asked for now covers them
+    wait_for_snapshot(change);
+  } else if (is_waiting_) {
     held_back_.push_back(change);
   } else if (change.sequence > sequence_ + 1) {
     wait_for_snapshot(change);
@@ -23,7 +35,7 @@ void GridFollower::take_change(const GridChange& change) {
 
 void GridFollower::take_snapshot(const GridChange& snapshot) {
   const bool follows_stream = tag_ && !is_waiting_;
-  if (follows_stream || snapshot.resolution_m <= 0.0) return;
+  if (follows_stream || !has_resolution(snapshot)) return;
   if (tag_ && !(*tag_ == snapshot.tag)) return handlers_.ask_for_snapshot();  // of a grid that is no more
   begin(snapshot);
   apply(snapshot);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -19,6 +20,9 @@ class GridFollower {
     std::function<void(const GridChange&)> apply;  ///< the next change, or a snapshot after start
     std::function<void()> ask_for_snapshot;
   };
+  /// Changes held back at most: ten seconds of scan lines. If more come, the snapshot is asked for anew.
+  static constexpr std::size_t kMostHeldBack = 400;
+
   explicit GridFollower(Handlers handlers) : handlers_(std::move(handlers)) {}
 
   void take_change(const GridChange& change);
