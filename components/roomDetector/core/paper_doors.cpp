@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "components/roomDetector/core/paper_doors.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -59,6 +60,23 @@ std::vector<DoorEstimate> find_paper_doors(const ColumnMap& map, const HoughLatt
                                            const PaperDoorsConfig& config) {
   std::vector<DoorEstimate> doors;
   for (int wall = 0; wall < 4; ++wall) find_in_wall(map, lattice, origin, rectangle, wall, config, doors);
+  return doors;
+}
+
+std::vector<DoorEstimate> rename_walls(std::vector<DoorEstimate> doors, const Rectangle& from,
+                                       const Rectangle& to) {
+  const int quarter_turns = static_cast<int>(std::lround((from.yaw_rad - to.yaw_rad) / (0.5 * kPi)));
+  for (DoorEstimate& door : doors) {
+    const Segment ends = segment_of(from, door.gap);
+    const int wall = (door.gap.wall + quarter_turns + 4) % 4;
+    const Segment line = to.wall(wall);
+    const auto along_m = [&](const Point2& p) {
+      return std::clamp((p - line.from).dot(line.direction()), 0.0, to.wall_length_m(wall));
+    };
+    door.gap = {static_cast<std::uint8_t>(wall), along_m(ends.from), along_m(ends.to)};
+  }
+  std::stable_sort(doors.begin(), doors.end(),
+                   [](const auto& a, const auto& b) { return a.gap.wall < b.gap.wall; });
   return doors;
 }
 

@@ -19,4 +19,9 @@ std::vector<DoorEstimate> find_paper_doors(const ColumnMap& map, const HoughLatt
                                            const Point2& origin, const Rectangle& rectangle,
                                            const PaperDoorsConfig& config);
 
+/// Doors in the walls of `from`, named and measured in the walls of `to`: the same rectangle fitted better,
+/// its sides perhaps renamed.
+std::vector<DoorEstimate> rename_walls(std::vector<DoorEstimate> doors, const Rectangle& from,
+                                       const Rectangle& to);
+
 }  // namespace enfilade::room_detector

@@ -108,10 +108,14 @@ void RoomDetector::refine(Detection& d, const WallBand& band) const {
 void RoomDetector::find_doors(Detection& d, const HoughSpace& space) const {
   WallGaps gaps = door_finder_.find(map_, d.estimate.rectangle, door_hits());
   d.estimate.unexplored_wall_share = gaps.unexplored_share;
-  d.estimate.doors = config_.doors == DoorMethod::kEvidence
-                         ? std::move(gaps.doors)
-                         : find_paper_doors(map_, space.lattice(), space.origin(), d.diagnostics.coarse,
-                                            config_.paper_doors);
+  if (config_.doors == DoorMethod::kEvidence) {
+    d.estimate.doors = std::move(gaps.doors);
+    return;
+  }
+  const Rectangle& coarse = d.diagnostics.coarse;
+  d.estimate.doors =
+      rename_walls(find_paper_doors(map_, space.lattice(), space.origin(), coarse, config_.paper_doors),
+                   coarse, d.estimate.rectangle);
 }
 
 void RoomDetector::fit_recent(Detection& d, const WallBand& band) const {
