@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "components/gridBuilder/core/ray_walk.hpp"
@@ -11,8 +12,8 @@ namespace enfilade::grid_builder {
 namespace {
 
 constexpr std::size_t kTilesPerMb = 32;
-/// Cells travel as 16-bit numbers; what lies farther out is left alone, with room for one maximal range.
-constexpr double kFarthestCell = 30000.0;
+/// Cells travel as 16-bit numbers.
+constexpr double kLastCell = std::numeric_limits<std::int16_t>::max();
 
 float log_odds(double probability) { return static_cast<float>(std::log(probability / (1.0 - probability))); }
 
@@ -41,6 +42,7 @@ constexpr double kBorderSlack = 1e-6;
 ZoneGrid::ZoneGrid(const ZoneGridConfig& config)
     : config_(checked(config)),
       cells_per_m_(1.0 / config.resolution_m),
+      farthest_origin_(kLastCell - std::ceil(config.max_range_m * cells_per_m_) - 1.0),
       hit_log_odds_(log_odds(config.prob_hit)),
       miss_log_odds_(log_odds(config.prob_miss)),
       lowest_log_odds_(log_odds(config.clamp_min)),
@@ -150,7 +152,7 @@ void ZoneGrid::add(const CellIndex& index, Cell& cell, float step, LineUpdate& u
 
 bool ZoneGrid::usable(const Point3f& origin, const Point3f& end) const {
   const Eigen::Vector3d from = to_vector(origin) * cells_per_m_;
-  return from.cwiseAbs().maxCoeff() < kFarthestCell && to_vector(end).allFinite();
+  return from.cwiseAbs().maxCoeff() < farthest_origin_ && to_vector(end).allFinite();
 }
 
 bool ZoneGrid::within_range(const Point3f& origin, const Point3f& end) const {

@@ -77,6 +77,7 @@ class ZoneGrid {
 
   ZoneGridConfig config_;
   double cells_per_m_;
+  double farthest_origin_;  ///< in cells, by each axis: one maximal range farther there still are cells
   float hit_log_odds_, miss_log_odds_, lowest_log_odds_, highest_log_odds_, occupied_log_odds_;
   int lowest_z_, highest_z_;
   CellStore cells_;

@@ -168,6 +168,20 @@ TEST(ZoneGrid, IgnoresPointsThatAreNoNumbersOrOutOfTheWorld) {
   EXPECT_TRUE(grid.insert({2, {1e9F, 0, 1}, {{1e9F, 1, 1}}, {}}).changes.empty());
 }
 
+TEST(ZoneGrid, LeavesAloneWhatItsCellsCannotCount) {
+  ZoneGrid grid({.resolution_m = 0.01, .max_range_m = 100.0});
+  for (const float side : {1.0F, -1.0F}) {
+    const Point3f counted{side * 227.6F, 0.0F, 1.0F}, beyond{side * 227.7F, 0.0F, 1.0F};
+    const auto line = [&](StampNs stamp_ns, const Point3f& origin) {
+      return ScanLine{stamp_ns, origin, {{origin.x_m + side * 99.9F, 0.0F, 1.0F}}, {}};
+    };
+    const LineUpdate update = grid.insert(line(side > 0 ? 1 : 3, counted));
+    EXPECT_GT(update.changes.size(), 9900u);
+    for (const GridCell& cell : update.changes) ASSERT_GT(static_cast<float>(cell.x) * side, 22000.0F);
+    EXPECT_TRUE(grid.insert(line(side > 0 ? 2 : 4, beyond)).changes.empty());
+  }
+}
+
 TEST(ZoneGrid, StopsGrowingAtItsMemoryLimitAndSaysSo) {
   ZoneGrid grid({.max_memory_mb = 1});
   std::size_t lost = 0;
