@@ -23,8 +23,8 @@ struct ComponentRecipe {
 ///   NAME [--config FILE] [--set KEY=VALUE]… [--domain N] [--sim-time] [--log-level LEVEL]
 /// loads the configuration (default: etc/NAME.yaml of this checkout or install), takes the host lock (one
 /// NAME per domain and host), joins DDS, drives the life cycle until SIGINT or SIGTERM, and returns the exit
-/// status: 0 after a stop in good order, 2 for what it would refuse again (command line, configuration, input), 1 for anything else,
-/// with one sentence on stderr.
+/// status: 0 after a stop in good order, 2 for what it would refuse again (command line, configuration,
+/// input), 1 for anything else, with one sentence on stderr.
 int run_component(const ComponentRecipe& recipe, int argc, char** argv);
 
 template <class NodeType, class Config>

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <unordered_set>
 
 namespace enfilade::room_detector {
 namespace {
@@ -74,11 +75,13 @@ Detection RoomDetector::estimate(const std::optional<Pose2>& T_zone_base) {
 
 std::vector<WallPoint> RoomDetector::wall_points(const WallBand& band) const {
   auto points = hits_.points(band);
-  if (!points.empty()) return points;
+  std::unordered_set<const Column*> columns_hit;
+  for (const WallPoint& point : points) columns_hit.insert(map_.find(point.position));
   const Levels levels = band.levels();
   for (const Column& column : map_.columns()) {
     const auto occupied = (column.occupied & levels).count();
-    if (occupied > 0) points.push_back({map_.centre(column), static_cast<double>(occupied)});
+    if (occupied > 0 && !columns_hit.contains(&column))
+      points.push_back({map_.centre(column), static_cast<double>(occupied)});
   }
   return points;
 }

@@ -77,6 +77,23 @@ TEST(RoomDetector, DoesNotDependOnTheResolutionOfTheGrid) {
   expect_same(d.estimate.rectangle, room.rectangle(), 0.01);
 }
 
+TEST(RoomDetector, KeepsTheWallsOfASnapshotWhenTheFirstLineComes) {
+  const auto room = paper_room();
+  const Pose2 T_zone_base{0.1, -0.2, 0.4};
+  test::SimGrid grid;
+  const auto lines = grid.sweep(room, T_zone_base, kCoarse);
+  RoomDetector restarted({});
+  restarted.clear(grid.resolution_m());
+  restarted.update(grid.changes());
+  const auto before = restarted.estimate(T_zone_base);
+  restarted.add_hits(lines[lines.size() / 4]);
+  const auto after = restarted.estimate(T_zone_base);
+  ASSERT_TRUE(before.diagnostics.fit && after.diagnostics.fit);
+  for (std::size_t wall = 0; wall < 4; ++wall)
+    EXPECT_GT(after.diagnostics.fit->support[wall], 0.9 * before.diagnostics.fit->support[wall]) << wall;
+  expect_same(after.estimate.rectangle, room.rectangle(), 0.05);
+}
+
 TEST(RoomDetector, FallsBackToAllHeightsBetweenLowWalls) {
   const auto room = test::RoomBuilder(4.0, 3.0, 1.2).build();
   const auto d = detect(room, 2);

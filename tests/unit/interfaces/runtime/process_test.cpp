@@ -127,10 +127,10 @@ TEST_F(ProcessTest, AHungNodeIsEndedWithinTwoSecondsAndStatusOne) {
   EXPECT_NE(said().find("does not stop"), std::string::npos);
 }
 
-TEST_F(ProcessTest, AnExceptionInInitializeEndsItWithStatusOneAndItsSentence) {
+TEST_F(ProcessTest, AnExceptionInInitializeEndsItWithStatusTwoAndItsSentence) {
   EXPECT_EQ(
       run({.initialize = [](const NodeContext&) { throw std::runtime_error("no laser on /dev/ttyACM0"); }}),
-      1);
+      2);
   EXPECT_NE(said().find("no laser on /dev/ttyACM0"), std::string::npos);
 }
 
