@@ -18,6 +18,18 @@ Point2 origin_near(const std::optional<Pose2>& T_zone_base) {
   return {std::round(T_zone_base->x_m), std::round(T_zone_base->y_m)};
 }
 
+using Columns = std::unordered_set<const Column*>;
+
+bool is_beside(const Columns& columns, const ColumnMap& map, const Column& column) {
+  for (int x = column.x - 1; x <= column.x + 1; ++x) {
+    for (int y = column.y - 1; y <= column.y + 1; ++y) {
+      const Column* known = map.find(x, y);
+      if (known && columns.contains(known)) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 RoomDetector::RoomDetector(const RoomDetectorConfig& config)
@@ -75,12 +87,12 @@ Detection RoomDetector::estimate(const std::optional<Pose2>& T_zone_base) {
 
 std::vector<WallPoint> RoomDetector::wall_points(const WallBand& band) const {
   auto points = hits_.points(band);
-  std::unordered_set<const Column*> columns_hit;
+  Columns columns_hit;
   for (const WallPoint& point : points) columns_hit.insert(map_.find(point.position));
   const Levels levels = band.levels();
   for (const Column& column : map_.columns()) {
     const auto occupied = (column.occupied & levels).count();
-    if (occupied > 0 && !columns_hit.contains(&column))
+    if (occupied > 0 && !is_beside(columns_hit, map_, column))
       points.push_back({map_.centre(column), static_cast<double>(occupied)});
   }
   return points;

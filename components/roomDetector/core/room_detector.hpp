@@ -62,7 +62,7 @@ class RoomDetector {
   void refine(Detection& d, const WallBand& band) const;
   void find_doors(Detection& d, const HoughSpace& space) const;
   void fit_recent(Detection& d, const WallBand& band) const;
-  /// Returns, and centres of the cells that none is known of: those of a snapshot taken after a restart.
+  /// Returns, and centres of the cells far from any: those of a snapshot taken after a restart.
   std::vector<WallPoint> wall_points(const WallBand& band) const;
   std::vector<WallPoint> door_hits() const;
 

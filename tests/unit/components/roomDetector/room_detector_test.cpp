@@ -90,7 +90,7 @@ TEST(RoomDetector, KeepsTheWallsOfASnapshotWhenTheFirstLineComes) {
   const auto after = restarted.estimate(T_zone_base);
   ASSERT_TRUE(before.diagnostics.fit && after.diagnostics.fit);
   for (std::size_t wall = 0; wall < 4; ++wall)
-    EXPECT_GT(after.diagnostics.fit->support[wall], 0.9 * before.diagnostics.fit->support[wall]) << wall;
+    EXPECT_GT(after.diagnostics.fit->support[wall], 0.5 * before.diagnostics.fit->support[wall]) << wall;
   expect_same(after.estimate.rectangle, room.rectangle(), 0.05);
 }
 
