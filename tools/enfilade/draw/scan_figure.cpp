@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <set>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "tools/enfilade/draw/figures.hpp"
@@ -71,18 +75,25 @@ void draw_legend(SvgCanvas& canvas) {
   canvas.scale_bar();
 }
 
+/// The points within the bounds, one a pixel.
+std::vector<Point2> visible_points(const std::vector<Point2>& points, const Bounds& bounds) {
+  std::set<std::pair<int, int>> taken;
+  std::vector<Point2> visible;
+  for (const Point2& p : points) {
+    const bool is_inside = (p.array() > bounds.low.array()).all() && (p.array() < bounds.high.array()).all();
+    const Point2 px = kPixelsPerMetre * p;
+    if (is_inside && taken.emplace(std::lround(px.x()), std::lround(px.y())).second) visible.push_back(p);
+  }
+  return visible;
+}
+
 }  // namespace
 
 std::string draw_scan(const ScanFigure& figure) {
   const Bounds bounds = bounds_of(figure);
   SvgCanvas canvas(bounds, kPixelsPerMetre);
-  std::vector<Point2> visible;
-  for (const Point2& p : figure.points) {
-    const bool inside = (p.array() > bounds.low.array()).all() && (p.array() < bounds.high.array()).all();
-    if (inside) visible.push_back(p);
-  }
   draw_robot(canvas, figure.T_zone_base);
-  canvas.dots(visible, 1.6, "#37474f", 0.55);
+  canvas.dots(visible_points(figure.points, bounds), 1.6, "#37474f", 0.55);
   std::string size = "no rectangle yet";
   if (figure.estimate.found) {
     draw_walls(canvas, figure.estimate);
