@@ -15,6 +15,9 @@ own::DoorEstimate_ door_to_wire(const DoorEstimate& door) {
   out.evidence().free_share(door.evidence.free_share);
   out.evidence().beyond_occupied_cells(door.evidence.beyond_occupied_cells);
   out.evidence().beyond_free_cells(door.evidence.beyond_free_cells);
+  out.position_sigma_m(door.position_sigma_m);
+  out.width_sigma_m(door.width_sigma_m);
+  out.height_sigma_m(door.height_sigma_m);
   return out;
 }
 
@@ -24,7 +27,10 @@ DoorEstimate door_from_wire(const own::DoorEstimate_& door) {
           .state = enum_from_wire(door.state(), DoorState::kUnexplored, "the state of a door"),
           .height_m = optional_from_wire(door.has_height(), door.height_m()),
           .evidence = {seen.occupied_share(), seen.free_share(), seen.beyond_occupied_cells(),
-                       seen.beyond_free_cells()}};
+                       seen.beyond_free_cells()},
+          .position_sigma_m = door.position_sigma_m(),
+          .width_sigma_m = door.width_sigma_m(),
+          .height_sigma_m = door.height_sigma_m()};
 }
 
 }  // namespace

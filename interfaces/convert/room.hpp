@@ -5,6 +5,7 @@
 
 #include "interfaces/convert/common.hpp"
 #include "interfaces/model/exploration.hpp"
+#include "interfaces/model/room_diagnostics.hpp"
 #include "interfaces/model/topological_map.hpp"
 
 namespace enfilade::wire {
@@ -14,6 +15,8 @@ own::WallInterval_ to_wire(const WallInterval& interval);
 WallInterval from_wire(const own::WallInterval_& interval);
 own::RoomEstimate_ to_wire(const RoomEstimate& estimate);
 RoomEstimate from_wire(const own::RoomEstimate_& estimate);
+own::RoomDiagnostics_ to_wire(const RoomDiagnostics& diagnostics);
+RoomDiagnostics from_wire(const own::RoomDiagnostics_& diagnostics);
 
 own::TopologicalMap_ to_wire(const TopologicalMap& map);
 TopologicalMap from_wire(const own::TopologicalMap_& map);

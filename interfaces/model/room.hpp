@@ -48,6 +48,9 @@ struct DoorEstimate {
   DoorState state = DoorState::kUnexplored;
   std::optional<double> height_m;  ///< underside of the lintel over the floor, where one was seen
   DoorEvidence evidence;
+  double position_sigma_m = 0.0;  ///< standard deviation of gap.middle_m; 0 = not estimated
+  double width_sigma_m = 0.0;     ///< of gap.width_m()
+  double height_sigma_m = 0.0;    ///< of height_m
 
   bool operator==(const DoorEstimate&) const = default;
 };

@@ -9,6 +9,7 @@
 #include "interfaces/model/motion.hpp"
 #include "interfaces/model/requests.hpp"
 #include "interfaces/model/room.hpp"
+#include "interfaces/model/room_diagnostics.hpp"
 #include "interfaces/model/sensing.hpp"
 #include "interfaces/model/simulation.hpp"
 #include "interfaces/model/topological_map.hpp"
@@ -43,6 +44,7 @@ inline constexpr Topic<MotorState>       kMotorState      {{"rt/enfilade/motor_s
 inline constexpr Topic<GridChange>       kGridChange      {{"rt/enfilade/grid_change",       "enfilade_msgs::msg::dds_::GridChange_",       kBulk,  40, "gridBuilder", "roomDetector explorer"}};
 inline constexpr Topic<ScanHits>         kScanHits        {{"rt/enfilade/scan_hits",         "enfilade_msgs::msg::dds_::ScanHits_",         kBulk,  40, "gridBuilder", "roomDetector"}};
 inline constexpr Topic<RoomEstimate>     kRoomEstimate    {{"rt/enfilade/room_estimate",     "enfilade_msgs::msg::dds_::RoomEstimate_",     kState,  4, "roomDetector", "explorer topoGraph"}};
+inline constexpr Topic<RoomDiagnostics>  kRoomDiagnostics {{"rt/enfilade/room_diagnostics",  "enfilade_msgs::msg::dds_::RoomDiagnostics_",  kState,  1, "roomDetector", ""}};
 inline constexpr Topic<ExplorationState> kExplorationState{{"rt/enfilade/exploration_state", "enfilade_msgs::msg::dds_::ExplorationState_", kState,  2, "explorer", ""}};
 inline constexpr Topic<TopologicalMap>   kTopologicalMap  {{"rt/enfilade/topological_map",   "enfilade_msgs::msg::dds_::TopologicalMap_",   kState,  0, "topoGraph", "explorer"}};
 inline constexpr Topic<CurrentZone>      kCurrentZone     {{"rt/enfilade/current_zone",      "enfilade_msgs::msg::dds_::CurrentZone_",      kState,  0, "topoGraph", "gridBuilder explorer"}};
@@ -77,8 +79,8 @@ template <class Visitor>
 void for_each_topic(Visitor&& visit) {
   const auto all = [&visit](const auto&... topic) { (visit(topic), ...); };
   all(kClock, kScan, kPoints, kPointsFree, kJointStates, kOdom, kTf, kTfStatic, kCmdVel, kRosout);
-  all(kSweepCommand, kMotorState, kGridChange, kScanHits, kRoomEstimate, kExplorationState, kTopologicalMap,
-      kCurrentZone, kPoseCorrection, kHeartbeat);
+  all(kSweepCommand, kMotorState, kGridChange, kScanHits, kRoomEstimate, kRoomDiagnostics, kExplorationState,
+      kTopologicalMap, kCurrentZone, kPoseCorrection, kHeartbeat);
   all(kSimCredit, kSimActuation, kSimEncoders, kSimScan, kGroundTruth);
   const auto services = [&all](const auto&... service) { (all(service.request, service.reply), ...); };
   services(kFixRoom, kEnterZone, kMarkDoor, kGridSnapshot);

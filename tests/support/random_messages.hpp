@@ -142,12 +142,31 @@ class RandomMessages {
     all(v.occupied_share, v.free_share, v.beyond_occupied_cells, v.beyond_free_cells);
   }
   void fill(DoorEstimate& v) {
-    all(v.gap, v.height_m, v.evidence);
+    all(v.gap, v.height_m, v.evidence, v.position_sigma_m, v.width_sigma_m, v.height_sigma_m);
     pick(v.state, DoorState::kUnexplored);
   }
   void fill(RoomEstimate& v) {
     all(v.tag, v.grid_sequence, v.stamp_ns, v.found, v.rectangle, v.score, v.covariance, v.polygon, v.doors,
         v.unexplored_wall_share, v.recent, v.recent_stamp_ns);
+  }
+  void fill(WallDiagnostics& v) { all(v.occupied, v.free, v.toll, v.returns, v.moved_m); }
+  void fill(RejectedRectangle& v) { all(v.rectangle, v.score, v.reason); }
+  void fill(GapDiagnostics& v) {
+    all(v.gap, v.reason, v.occupied_share, v.free_share, v.foot_free_share, v.open_nats, v.from_sigma_m,
+        v.to_sigma_m);
+    pick(v.verdict, GapVerdict::kNoDoor);
+  }
+  void fill(HoughSlice& v) {
+    all(v.yaw_rad, v.origin, v.d_from_m, v.p_from_m, v.cell_m, v.full_scale);
+    v.columns = static_cast<std::uint32_t>(below(20));
+    v.rows = static_cast<std::uint32_t>(below(20));
+    v.levels.resize(v.columns * v.rows);
+    for (std::uint8_t& level : v.levels) fill(level);
+  }
+  void fill(RoomDiagnostics& v) {
+    all(v.tag, v.grid_sequence, v.stamp_ns, v.found, v.above_furniture, v.coarse, v.score, v.score_gap,
+        v.interior, v.slice, v.rejected, v.gaps);
+    for (WallDiagnostics& wall : v.walls) fill(wall);
   }
   void fill(DoorFace& v) { all(v.room, v.gap); }
   void fill(Door& v) {

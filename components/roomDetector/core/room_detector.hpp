@@ -32,7 +32,7 @@ struct RoomDetectorConfig {
 };
 
 /// What a person would want to know of one estimate.
-struct RoomDiagnostics {
+struct DetectionDiagnostics {
   bool above_furniture = false;  ///< the walls were looked for above furniture
   SearchResult search;
   Rectangle coarse;  ///< eq. 10–13, before the refinement
@@ -42,7 +42,7 @@ struct RoomDiagnostics {
 
 struct Detection {
   RoomEstimate estimate;
-  RoomDiagnostics diagnostics;
+  DetectionDiagnostics diagnostics;
 };
 
 /// Section III: the room and its doors from the occupancy grid, kept up to date with the changes of the grid.
