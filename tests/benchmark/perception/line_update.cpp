@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "components/roomDetector/core/rectangle_search.hpp"
+#include "tests/benchmark/perception/random_scans.hpp"
+#include "tests/benchmark/perception/timing.hpp"
+
+/// One scan line after the other, as gridBuilder reports them: votes brought up to date, argmax found anew.
+namespace enfilade::bench {
+namespace {
+
+using namespace room_detector;
+
+struct Stream {
+  struct Line {
+    GridChange change;
+    Point2 robot;
+  };
+  std::vector<Line> lines;
+};
+
+std::vector<Stream> streams() {
+  std::vector<Stream> streams(4);
+  for (unsigned seed = 0; seed < streams.size(); ++seed) {
+    RoomScans scans(seed + 100);
+    for (int i = 0; i < 3 * RoomScans::kLines; ++i) {
+      const Point2 robot = scans.T_zone_base().translation();
+      streams[seed].lines.push_back({scans.next_line(), robot});
+    }
+  }
+  return streams;
+}
+
+void streaming(benchmark::State& state) {
+  static const std::vector<Stream> all = streams();
+  InputTimes times;
+  double gaps = 0.0;
+  for (auto _ : state) {
+    gaps = 0.0;
+    std::size_t input = 0;
+    for (const Stream& stream : all) {
+      ColumnMap map;
+      map.clear(0.05);
+      WallVotes votes({}, {});
+      RectangleSearch search(SearchConfig{});
+      const Point2& first = stream.lines.front().robot;
+      const Point2 origin(std::round(first.x()), std::round(first.y()));
+      for (const Stream::Line& line : stream.lines) {
+        times.measure(input++, [&] {
+          map.apply(line.change.cells);
+          const HoughSpace& space = votes.update(map, choose_wall_band(map, {}), origin);
+          const auto found = search.find_best(space, line.robot);
+          gaps += found && found->gap > 0;
+        });
+      }
+    }
+  }
+  times.report(state);
+  state.counters["gaps"] = gaps;
+}
+
+const auto* const kRegistered =
+    benchmark::RegisterBenchmark("LineUpdate/streaming", streaming) -> Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace enfilade::bench
