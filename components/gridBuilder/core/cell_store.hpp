@@ -8,33 +8,50 @@
 #include <unordered_map>
 
 #include "components/gridBuilder/core/cell_index.hpp"
+#include "components/gridBuilder/core/certainties.hpp"
 
 namespace enfilade::grid_builder {
 
-/// What the grid remembers of one cell.
-struct Cell {
-  float log_odds = 0.0F;
-  /// Twice the number of the line that touched it last, plus one if that line hit it; 0 = unexplored.
-  std::uint32_t touched = 0;
+inline constexpr int kTileSideBits = 4;
+inline constexpr int kTileSide = 1 << kTileSideBits;
+inline constexpr std::size_t kTileCells = std::size_t{1} << (3 * kTileSideBits);
+using Tile = std::array<Cell, kTileCells>;
 
-  bool known() const { return touched != 0; }
-};
+/// Place of a cell in its tile.
+inline std::size_t offset_in_tile(const CellIndex& c) {
+  constexpr int kMask = kTileSide - 1;
+  return static_cast<std::size_t>((c.x & kMask) << (2 * kTileSideBits) | (c.y & kMask) << kTileSideBits |
+                                  (c.z & kMask));
+}
 
-/// Dense cells in cubes of 16³ that come into being when first touched, at most `max_tiles` of them (32 KiB
-/// each).
+/// Dense cells in cubes of 16³ (8 KiB) that come into being when first asked for, at most `max_tiles` of
+/// them. Cells outside the layers lowest_z … highest_z do not exist: they count as touched for ever and stay
+/// unexplored, so that who walks through them leaves them alone.
 class CellStore {
  public:
-  explicit CellStore(std::size_t max_tiles) : max_tiles_(max_tiles) {}
+  struct Limits {
+    std::size_t max_tiles = 0;
+    int lowest_z = 0, highest_z = 0;
+  };
 
-  /// Null where the tile would be one too many.
-  Cell* touch(const CellIndex& c) {
+  explicit CellStore(const Limits& limits);
+  // Not copied: recent_ points into the tiles.
+  CellStore(const CellStore&) = delete;
+  CellStore& operator=(const CellStore&) = delete;
+
+  /// The tile that holds `c`; one in which no cell exists where it lies outside the layers or would be one
+  /// too many.
+  Tile& tile_of(const CellIndex& c) {
     const std::uint64_t key = tile_key(c);
     Recent& recent = recent_[recent_slot(c)];
-    if (key != recent.key) recent = {key, find_or_create(key)};
-    return recent.tile ? &(*recent.tile)[cell_offset(c)] : nullptr;
+    if (key != recent.key) recent = {key, find_or_create(c)};
+    return *recent.tile;
   }
+  /// Whether the tile is one that there was no memory for.
+  bool is_missing(const Tile& tile) const { return &tile == &no_memory_; }
 
-  const Cell* find(const CellIndex& c) const;
+  /// kUnexplored where nothing is known.
+  Cell find(const CellIndex& c) const;
   void clear();
   std::size_t tile_count() const { return tiles_.size(); }
 
@@ -43,43 +60,37 @@ class CellStore {
   void for_each_known(Visit&& visit) const {
     for (const auto& [key, tile] : tiles_) {
       for (std::size_t i = 0; i < kTileCells; ++i) {
-        if ((*tile)[i].known()) visit(cell_index(key, i), (*tile)[i]);
+        if (is_known((*tile)[i])) visit(cell_index(key, i), static_cast<Cell>((*tile)[i] & ~kTouched));
       }
     }
   }
 
  private:
-  static constexpr int kSideBits = 4;
-  static constexpr int kSideMask = (1 << kSideBits) - 1;
-  static constexpr std::size_t kTileCells = std::size_t{1} << (3 * kSideBits);
   static constexpr std::uint64_t kNoKey = ~std::uint64_t{0};
-  using Tile = std::array<Cell, kTileCells>;
 
   struct Recent {
     std::uint64_t key = kNoKey;
     Tile* tile = nullptr;
   };
 
-  static std::uint64_t axis_key(int c) { return static_cast<std::uint16_t>(c >> kSideBits); }
+  static std::uint64_t axis_key(int c) { return static_cast<std::uint16_t>(c >> kTileSideBits); }
   static std::uint64_t tile_key(const CellIndex& c) {
     return axis_key(c.x) << 32 | axis_key(c.y) << 16 | axis_key(c.z);
   }
-  static std::size_t cell_offset(const CellIndex& c) {
-    return static_cast<std::size_t>((c.x & kSideMask) << (2 * kSideBits) | (c.y & kSideMask) << kSideBits |
-                                    (c.z & kSideMask));
-  }
-  /// Tiles of a block of 8 × 8 × 8 (6.4 m at 0.05 m) have slots of their own.
+  /// Tiles of a block of 16 × 16 × 8 (12.8 × 12.8 × 6.4 m at 0.05 m) have slots of their own.
   static std::size_t recent_slot(const CellIndex& c) {
-    const auto axis = [](int i) { return static_cast<std::size_t>(i >> kSideBits & 7); };
-    return axis(c.x) << 6 | axis(c.y) << 3 | axis(c.z);
+    const auto axis = [](int i, int mask) { return static_cast<std::size_t>(i >> kTileSideBits & mask); };
+    return axis(c.x, 15) << 7 | axis(c.y, 15) << 3 | axis(c.z, 7);
   }
   static CellIndex cell_index(std::uint64_t tile, std::size_t offset);
 
-  Tile* find_or_create(std::uint64_t key);
+  Tile* find_or_create(const CellIndex& c);
+  std::unique_ptr<Tile> make_tile(int bottom_z) const;
 
-  std::size_t max_tiles_;
+  Limits limits_;
   std::unordered_map<std::uint64_t, std::unique_ptr<Tile>> tiles_;
-  std::array<Recent, 512> recent_{};  ///< spares most look-ups: the beams of a line share their tiles
+  Tile outside_, no_memory_;
+  std::array<Recent, 2048> recent_{};  ///< spares most look-ups: the beams of a line share their tiles
 };
 
 }  // namespace enfilade::grid_builder

@@ -20,6 +20,6 @@ struct CellReturn {
 };
 
 /// Takes the mean of the returns of each cell; sorted by cell.
-std::vector<HitCell> group_by_cell(std::vector<CellReturn> returns);
+std::vector<HitCell> group_by_cell(const std::vector<CellReturn>& returns);
 
 }  // namespace enfilade::grid_builder

@@ -1,53 +1,74 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 
-#include "components/gridBuilder/core/cell_index.hpp"
+#include "components/gridBuilder/core/cell_store.hpp"
 
 namespace enfilade::grid_builder {
 
-/// One axis of a walk: how many cell borders lie ahead and at which share of the ray the next one is met.
+/// One axis of a walk: where it is, at which share of the ray the next border is met, and how a step shows in
+/// a tile.
 struct RayAxis {
-  int step = 0;
-  int borders_left = 0;
-  double next_border = std::numeric_limits<double>::infinity();
-  double border_spacing = 0.0;
+  int cell, step = 0, borders_left;
+  double next_border = std::numeric_limits<double>::infinity(), border_spacing = 0.0;
+  std::ptrdiff_t offset_step = 0;  ///< within a tile
+  int first_in_tile = 0;           ///< remainder of `cell` where a new tile begins
 
-  RayAxis(double from, double to, int from_cell, int to_cell) {
-    borders_left = std::abs(to_cell - from_cell);
+  RayAxis(double from, double to, int from_cell, int to_cell, int offset_bits)
+      : cell(from_cell), borders_left(std::abs(to_cell - from_cell)) {
     if (borders_left == 0) return;
     step = to_cell > from_cell ? 1 : -1;
     border_spacing = 1.0 / std::abs(to - from);
     next_border = (step > 0 ? from_cell + 1 - from : from - from_cell) * border_spacing;
+    offset_step = step * (std::ptrdiff_t{1} << offset_bits);
+    first_in_tile = step > 0 ? 0 : kTileSide - 1;
   }
 
-  void cross(int& cell) {
+  /// Whether this led into another tile.
+  bool cross() {
     cell += step;
     next_border = --borders_left > 0 ? next_border + border_spacing : std::numeric_limits<double>::infinity();
+    return (cell & (kTileSide - 1)) == first_in_tile;
   }
 };
 
-/// Calls `visit(cell)` for every cell the segment passes through (both ends in units of cells), in order,
-/// from the cell of `from` on and without the cell of `to` (Amanatides & Woo 1987). The borders are counted,
-/// so rounding can never miss the end.
-template <class Visit>
-void walk_ray(const Eigen::Vector3d& from, const Eigen::Vector3d& to, Visit&& visit) {
-  CellIndex cell = cell_of(from);
-  const CellIndex end = cell_of(to);
-  RayAxis x(from.x(), to.x(), cell.x, end.x), y(from.y(), to.y(), cell.y, end.y),
-      z(from.z(), to.z(), cell.z, end.z);
-  for (int steps = x.borders_left + y.borders_left + z.borders_left; steps > 0; --steps) {
-    visit(cell);
-    if (x.next_border < y.next_border && x.next_border < z.next_border) {
-      x.cross(cell.x);
-    } else if (y.next_border < z.next_border) {
-      y.cross(cell.y);
+/// Calls `visit(cell, index)` for every cell of `store` the segment passes through (both ends in units of
+/// cells), in order, from the cell of `from` on and without the cell of `to` (Amanatides & Woo 1987). The
+/// borders are counted, so rounding can never miss the end. `enter(tile)` is called for each tile entered.
+template <class Visit, class Enter>
+void walk_ray(CellStore& store, const Eigen::Vector3d& from, const Eigen::Vector3d& to, Visit&& visit,
+              Enter&& enter) {
+  const CellIndex begin = cell_of(from), end = cell_of(to);
+  RayAxis x(from.x(), to.x(), begin.x, end.x, 2 * kTileSideBits),
+      y(from.y(), to.y(), begin.y, end.y, kTileSideBits), z(from.z(), to.z(), begin.z, end.z, 0);
+  Tile* tile = nullptr;
+  Cell* cell = nullptr;
+  const auto enter_tile = [&] {
+    const CellIndex c{x.cell, y.cell, z.cell};
+    tile = &store.tile_of(c);
+    cell = tile->data() + offset_in_tile(c);
+    enter(*tile);
+  };
+  const auto step = [&](RayAxis& axis) {
+    if (axis.cross()) {
+      enter_tile();
     } else {
-      z.cross(cell.z);
+      cell += axis.offset_step;
+    }
+  };
+  int steps = x.borders_left + y.borders_left + z.borders_left;
+  if (steps > 0) enter_tile();
+  for (; steps > 0; --steps) {
+    visit(*cell, x.cell, y.cell, z.cell);
+    if (x.next_border < y.next_border && x.next_border < z.next_border) {
+      step(x);
+    } else if (y.next_border < z.next_border) {
+      step(y);
+    } else {
+      step(z);
     }
   }
 }

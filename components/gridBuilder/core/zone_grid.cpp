@@ -11,7 +11,7 @@
 namespace enfilade::grid_builder {
 namespace {
 
-constexpr std::size_t kTilesPerMb = 32;
+constexpr std::size_t kTilesPerMb = (1 << 20) / sizeof(Tile);
 /// Cells travel as 16-bit numbers.
 constexpr double kLastCell = std::numeric_limits<std::int16_t>::max();
 
@@ -33,6 +33,11 @@ const ZoneGridConfig& checked(const ZoneGridConfig& c) {
   return c;
 }
 
+CertaintyRule rule_of(const ZoneGridConfig& c) {
+  return {log_odds(c.prob_hit), log_odds(c.prob_miss), log_odds(c.clamp_min), log_odds(c.clamp_max),
+          log_odds(c.occupied_from)};
+}
+
 /// Where a height limit that lies on a border of cells is written with more digits than a double has, it
 /// still means the border.
 constexpr double kBorderSlack = 1e-6;
@@ -43,19 +48,13 @@ ZoneGrid::ZoneGrid(const ZoneGridConfig& config)
     : config_(checked(config)),
       cells_per_m_(1.0 / config.resolution_m),
       farthest_origin_(kLastCell - std::ceil(config.max_range_m * cells_per_m_) - 1.0),
-      hit_log_odds_(log_odds(config.prob_hit)),
-      miss_log_odds_(log_odds(config.prob_miss)),
-      lowest_log_odds_(log_odds(config.clamp_min)),
-      highest_log_odds_(log_odds(config.clamp_max)),
-      occupied_log_odds_(log_odds(config.occupied_from)),
       lowest_z_(static_cast<int>(std::ceil(config.min_height_m * cells_per_m_ - kBorderSlack))),
       highest_z_(static_cast<int>(std::floor(config.max_height_m * cells_per_m_ + kBorderSlack)) - 1),
-      cells_(static_cast<std::size_t>(config.max_memory_mb) * kTilesPerMb) {}
+      cells_({static_cast<std::size_t>(config.max_memory_mb) * kTilesPerMb, lowest_z_, highest_z_}),
+      certainties_(rule_of(config)) {}
 
 LineUpdate ZoneGrid::insert(const ScanLine& line) {
-  if (line_stamp_ns_ != line.stamp_ns) ++line_;
-  line_stamp_ns_ = line.stamp_ns;
-
+  if (line_stamp_ns_ != line.stamp_ns) begin_line(line.stamp_ns);
   LineUpdate update;
   // Hits first: a cell marked by this line is not carved by it any more.
   for (const HitCell& group : hit_cells(line)) {
@@ -64,33 +63,36 @@ LineUpdate ZoneGrid::insert(const ScanLine& line) {
   }
   for (const Point3f& end : line.hits) carve(line.origin, end, update);
   for (const Point3f& end : line.free_ends) carve(line.origin, end, update);
-  std::sort(update.changes.begin(), update.changes.end(), [](const GridCell& a, const GridCell& b) {
-    return CellIndex{a.x, a.y, a.z} < CellIndex{b.x, b.y, b.z};
-  });
   return update;
 }
 
+void ZoneGrid::begin_line(StampNs stamp_ns) {
+  line_stamp_ns_ = stamp_ns;
+  for (Cell* cell : touched_) *cell = static_cast<Cell>(*cell & ~kTouched);
+  touched_.clear();
+  hit_.clear();
+}
+
 void ZoneGrid::clear() {
+  touched_.clear();
+  hit_.clear();
   cells_.clear();
-  line_ = 0;
+  certainties_ = Certainties(rule_of(config_));
   line_stamp_ns_.reset();
 }
 
-CellState ZoneGrid::state(const CellIndex& cell) const {
-  const Cell* known = cells_.find(cell);
-  return known ? state_of(*known) : CellState::kUnexplored;
-}
+CellState ZoneGrid::state(const CellIndex& cell) const { return certainties_.state(cells_.find(cell)); }
 
-std::optional<double> ZoneGrid::probability(const CellIndex& cell) const {
-  const Cell* known = cells_.find(cell);
-  if (!known) return std::nullopt;
-  return 1.0 / (1.0 + std::exp(-static_cast<double>(known->log_odds)));
+std::optional<double> ZoneGrid::probability(const CellIndex& index) const {
+  const Cell cell = cells_.find(index);
+  if (!is_known(cell)) return std::nullopt;
+  return 1.0 / (1.0 + std::exp(-static_cast<double>(certainties_.log_odds(cell))));
 }
 
 std::vector<GridCell> ZoneGrid::known_cells() const {
   std::vector<std::pair<CellIndex, CellState>> known;
   cells_.for_each_known(
-      [&](const CellIndex& index, const Cell& cell) { known.emplace_back(index, state_of(cell)); });
+      [&](const CellIndex& index, Cell cell) { known.emplace_back(index, certainties_.state(cell)); });
   std::sort(known.begin(), known.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<GridCell> cells;
   cells.reserve(known.size());
@@ -106,21 +108,23 @@ std::vector<HitCell> ZoneGrid::hit_cells(const ScanLine& line) const {
     const CellIndex cell = cell_at(end);
     if (within_height(cell)) returns.push_back({cell, end});
   }
-  return group_by_cell(std::move(returns));
+  return group_by_cell(returns);
 }
 
 void ZoneGrid::mark_hit(const CellIndex& index, LineUpdate& update) {
-  Cell* cell = cells_.touch(index);
-  if (!cell) {
+  Tile& tile = cells_.tile_of(index);
+  if (cells_.is_missing(tile)) {
     ++update.cells_without_memory;
     return;
   }
-  const std::uint32_t missed = 2 * line_, hit = missed + 1;
-  if (cell->touched == hit) return;
-  // An earlier part of this line has carved the cell: hits win, so that is taken back.
-  const float taken_back = cell->touched == missed ? miss_log_odds_ : 0.0F;
-  add(index, *cell, hit_log_odds_ - taken_back, update);
-  cell->touched = hit;
+  Cell& cell = tile[offset_in_tile(index)];
+  if ((cell & kTouched) == 0) {
+    set(cell, certainties_.after_hit(cell), index, update);
+  } else if (std::find(hit_.begin(), hit_.end(), index) == hit_.end()) {
+    // An earlier part of this line has carved the cell: hits win, so that is taken back.
+    set(cell, certainties_.after_hit_for_miss(static_cast<Cell>(cell & ~kTouched)), index, update);
+  }
+  hit_.push_back(index);
 }
 
 void ZoneGrid::carve(const Point3f& origin, const Point3f& end, LineUpdate& update) {
@@ -128,26 +132,22 @@ void ZoneGrid::carve(const Point3f& origin, const Point3f& end, LineUpdate& upda
   const Eigen::Vector3d from = to_vector(origin) * cells_per_m_;
   Eigen::Vector3d to = to_vector(end) * cells_per_m_;
   if (!within_range(origin, end)) to = from + (to - from).normalized() * (config_.max_range_m * cells_per_m_);
-
-  const std::uint32_t missed = 2 * line_;
-  walk_ray(from, to, [&](const CellIndex& index) {
-    if (!within_height(index)) return;
-    Cell* cell = cells_.touch(index);
-    if (!cell) {
-      ++update.cells_without_memory;
-    } else if (cell->touched < missed) {
-      add(index, *cell, miss_log_odds_, update);
-      cell->touched = missed;
-    }
-  });
+  walk_ray(
+      cells_, from, to,
+      [&](Cell& cell, int x, int y, int z) {
+        if ((cell & kTouched) == 0) set(cell, certainties_.after_miss(cell), {x, y, z}, update);
+      },
+      [&](const Tile& tile) { update.cells_without_memory += cells_.is_missing(tile); });
 }
 
-/// One step of certainty, clamped; notes the cell where its state changes. The caller notes the touch.
-void ZoneGrid::add(const CellIndex& index, Cell& cell, float step, LineUpdate& update) const {
-  const CellState before = cell.known() ? state_of(cell) : CellState::kUnexplored;
-  cell.log_odds = std::clamp(cell.log_odds + step, lowest_log_odds_, highest_log_odds_);
-  const CellState after = state_of(cell);
-  if (after != before) update.changes.push_back(to_grid_cell(index, after));
+/// `next` is what Certainties told.
+void ZoneGrid::set(Cell& cell, Cell next, const CellIndex& index, LineUpdate& update) {
+  if ((next & Certainties::kStateChanges) != 0) {
+    const auto number = static_cast<Cell>(next & ~Certainties::kStateChanges);
+    update.changes.push_back(to_grid_cell(index, certainties_.state(number)));
+  }
+  cell = next | kTouched;
+  touched_.push_back(&cell);
 }
 
 bool ZoneGrid::usable(const Point3f& origin, const Point3f& end) const {
@@ -157,10 +157,6 @@ bool ZoneGrid::usable(const Point3f& origin, const Point3f& end) const {
 
 bool ZoneGrid::within_range(const Point3f& origin, const Point3f& end) const {
   return (to_vector(end) - to_vector(origin)).squaredNorm() <= config_.max_range_m * config_.max_range_m;
-}
-
-CellState ZoneGrid::state_of(const Cell& cell) const {
-  return cell.log_odds >= occupied_log_odds_ ? CellState::kOccupied : CellState::kFree;
 }
 
 }  // namespace enfilade::grid_builder

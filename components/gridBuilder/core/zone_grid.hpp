@@ -32,10 +32,11 @@ struct ScanLine {
   std::vector<Point3f> free_ends;  ///< up to where beams met nothing
 };
 
-/// What one line did to the grid. Both lists are sorted by cell.
+/// What one line did to the grid.
 struct LineUpdate {
-  std::vector<GridCell> changes;  ///< cells of another state than before, with the new one
-  std::vector<CellHit> hits;      ///< mean return per cell
+  std::vector<GridCell>
+      changes;                ///< cells of another state than before, with the new one; hits, then by beam
+  std::vector<CellHit> hits;  ///< mean return per cell, sorted by cell
   std::size_t cells_without_memory = 0;
 };
 
@@ -62,26 +63,33 @@ class ZoneGrid {
   CellIndex cell_at(const Point3f& point) const { return cell_of(to_vector(point) * cells_per_m_); }
 
   const ZoneGridConfig& config() const { return config_; }
-  const CellStore& cells() const { return cells_; }
+  /// Visits the known cells and their log-odds, in no order to rely on.
+  template <class Visit>
+  void for_each_known(Visit&& visit) const {
+    cells_.for_each_known(
+        [&](const CellIndex& index, Cell cell) { visit(index, certainties_.log_odds(cell)); });
+  }
+  std::size_t tile_count() const { return cells_.tile_count(); }
 
  private:
   std::vector<HitCell> hit_cells(const ScanLine& line) const;
+  void begin_line(StampNs stamp_ns);
   void mark_hit(const CellIndex& cell, LineUpdate& update);
   void carve(const Point3f& origin, const Point3f& end, LineUpdate& update);
-  void add(const CellIndex& index, Cell& cell, float log_odds, LineUpdate& update) const;
+  void set(Cell& cell, Cell next, const CellIndex& index, LineUpdate& update);
 
   bool usable(const Point3f& origin, const Point3f& end) const;
   bool within_range(const Point3f& origin, const Point3f& end) const;
   bool within_height(const CellIndex& c) const { return c.z >= lowest_z_ && c.z <= highest_z_; }
-  CellState state_of(const Cell& cell) const;
 
   ZoneGridConfig config_;
   double cells_per_m_;
   double farthest_origin_;  ///< in cells, by each axis: one maximal range farther there still are cells
-  float hit_log_odds_, miss_log_odds_, lowest_log_odds_, highest_log_odds_, occupied_log_odds_;
   int lowest_z_, highest_z_;
   CellStore cells_;
-  std::uint32_t line_ = 0;  ///< number of the line under way, from 1
+  Certainties certainties_;
+  std::vector<Cell*> touched_;  ///< by the line under way
+  std::vector<CellIndex> hit_;  ///< by the line under way; sorted within each of its parts
   std::optional<StampNs> line_stamp_ns_;
 };
 

@@ -188,7 +188,7 @@ TEST(ZoneGrid, StopsGrowingAtItsMemoryLimitAndSaysSo) {
   for (int i = 0; i < 36; ++i)
     lost += grid.insert(BoxRoom{}.scan(i + 1, kSensor, radians(5.0 * i))).cells_without_memory;
   EXPECT_GT(lost, 0u);
-  EXPECT_EQ(grid.cells().tile_count(), 32u);
+  EXPECT_EQ(grid.tile_count(), 128u);
 }
 
 TEST(ZoneGrid, RefusesAConfigurationThatMakesNoSense) {
