@@ -15,6 +15,7 @@ struct ScanFigure {
   RoomEstimate estimate;
   std::vector<Point2> points;  ///< returns above the floor, projected onto it
   Pose2 T_zone_base;
+  double margin_m = 0.6;  ///< of surroundings shown
 };
 
 /// The paper's figures 4 and 5: points, the rectangle over them, wall regions red, door regions green. A gap

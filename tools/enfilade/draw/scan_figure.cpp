@@ -11,7 +11,6 @@
 namespace enfilade::draw {
 namespace {
 
-constexpr double kMargin_m = 0.6;
 constexpr double kPixelsPerMetre = 90.0;
 
 const Paint kWall{.stroke = "#c62828", .width_px = 5.0};
@@ -39,7 +38,7 @@ Bounds bounds_of(const ScanFigure& figure) {
     for (const Point2& p : figure.points) bounds.include(p);
   }
   bounds.include(figure.T_zone_base.translation());
-  bounds.grow(kMargin_m);
+  bounds.grow(figure.margin_m);
   return bounds;
 }
 

@@ -18,5 +18,7 @@ struct Verb {
 Verb add_run(CLI::App& app);
 /// `enfilade demo`: simulator and components as processes on DDS.
 Verb add_demo(CLI::App& app);
+/// `enfilade room FILE`: the room around a point of a recorded building.
+Verb add_room(CLI::App& app);
 
 }  // namespace enfilade

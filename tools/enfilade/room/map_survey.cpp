@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+#include <limits>
+#include <stdexcept>
+
+#include <yaml-cpp/yaml.h>
+
+#include "tools/enfilade/room/survey.hpp"
+#include "tools/simulator/world/grey_image.hpp"
+
+namespace enfilade::room {
+namespace {
+
+/// What a map_server YAML says of its image.
+struct MapFrame {
+  std::string image;
+  double resolution_m = 0.05;
+  Pose2 T_map_corner;  ///< lower left corner of the lower left pixel
+  bool negate = false;
+  double occupied_from = 0.65, free_below = 0.196;
+};
+
+MapFrame read_frame(const std::string& file) {
+  try {
+    const YAML::Node yaml = YAML::LoadFile(file);
+    MapFrame frame;
+    const std::filesystem::path image(yaml["image"].as<std::string>());
+    frame.image = (image.is_absolute() ? image : std::filesystem::path(file).parent_path() / image).string();
+    frame.resolution_m = yaml["resolution"].as<double>();
+    const auto origin = yaml["origin"].as<std::vector<double>>();
+    if (origin.size() != 3) throw std::runtime_error("origin must be three numbers");
+    frame.T_map_corner = {origin[0], origin[1], origin[2]};
+    frame.negate = yaml["negate"].as<int>(0) != 0;
+    frame.occupied_from = yaml["occupied_thresh"].as<double>(frame.occupied_from);
+    frame.free_below = yaml["free_thresh"].as<double>(frame.free_below);
+    return frame;
+  } catch (const std::exception& error) {
+    throw std::runtime_error(file + ": is no map_server map: " + error.what() +
+                             "; it needs image, resolution and origin");
+  }
+}
+
+CellState state_of(std::uint8_t pixel, const MapFrame& frame) {
+  const double p = (frame.negate ? pixel : 255 - pixel) / 255.0;
+  if (p > frame.occupied_from) return CellState::kOccupied;
+  return p < frame.free_below ? CellState::kFree : CellState::kUnexplored;
+}
+
+void check(const MapFrame& frame, const simulator::GreyImage& image, const std::string& file) {
+  constexpr int kMost = std::numeric_limits<std::int16_t>::max();
+  if (!(frame.resolution_m >= 0.01 && frame.resolution_m <= 1.0))
+    throw std::runtime_error(file + ": its resolution must lie in 0.01 … 1 m a pixel");
+  if (image.columns > kMost || image.rows > kMost)
+    throw std::runtime_error(file + ": is wider or higher than 32767 pixels: give a part of it");
+}
+
+}  // namespace
+
+/// The survey's frame has its origin in the image's lower left corner, so that cells are pixels.
+Survey survey_of_map(const std::string& file, const SurveyConfig& config) {
+  const bool has_frame = std::filesystem::path(file).extension() == ".yaml";
+  const MapFrame frame =
+      has_frame ? read_frame(file) : MapFrame{.image = file, .resolution_m = config.map_resolution_m};
+  const simulator::GreyImage image = simulator::read_grey_image(frame.image);
+  check(frame, image, file);
+  Survey survey{.resolution_m = frame.resolution_m, .is_planar = true, .T_file_survey = frame.T_map_corner};
+  const int layer = planar_layer(frame.resolution_m);
+  for (int row = 0; row < image.rows; ++row) {
+    for (int column = 0; column < image.columns; ++column) {
+      const auto pixel = image.pixels[static_cast<std::size_t>(row) * image.columns + column];
+      const CellState state = state_of(pixel, frame);
+      if (state == CellState::kUnexplored) continue;
+      survey.cells.push_back(grid_builder::to_grid_cell({column, image.rows - 1 - row, layer}, state));
+    }
+  }
+  survey.T_survey_stand = roomiest_place(survey);
+  return survey;
+}
+
+}  // namespace enfilade::room
