@@ -13,6 +13,7 @@ own::CurrentZone_ to_wire(const CurrentZone& zone) {
   out.has_via_door(zone.via_door.has_value());
   out.via_door(zone.via_door.value_or(0));
   out.pose_map_zone(to_wire(zone.T_map_zone));
+  out.located(zone.located);
   out.valid_from_ns(zone.valid_from_ns);
   return out;
 }
@@ -23,6 +24,7 @@ CurrentZone from_wire(const own::CurrentZone_& zone) {
           .from_room = optional_from_wire(zone.has_from_room(), zone.from_room()),
           .via_door = optional_from_wire(zone.has_via_door(), zone.via_door()),
           .T_map_zone = from_wire(zone.pose_map_zone()),
+          .located = zone.located(),
           .valid_from_ns = zone.valid_from_ns()};
 }
 
@@ -39,7 +41,7 @@ own::PoseCorrection_ to_wire(const PoseCorrection& correction) {
 PoseCorrection from_wire(const own::PoseCorrection_& correction) {
   using Reason = PoseCorrection::Reason;
   return {correction.stamp_ns(),
-          enum_from_wire(correction.reason(), Reason::kCommonDoor, "the reason of a correction"),
+          enum_from_wire(correction.reason(), Reason::kLocalised, "the reason of a correction"),
           correction.room(), from_wire(correction.deviation()), from_wire(correction.pose_map_odom())};
 }
 

@@ -9,10 +9,13 @@ own::DoorFace_ face_to_wire(const DoorFace& face) {
   own::DoorFace_ out;
   out.room(face.room);
   out.gap(to_wire(face.gap));
+  out.position_sigma_m(face.position_sigma_m);
   return out;
 }
 
-DoorFace face_from_wire(const own::DoorFace_& face) { return {face.room(), from_wire(face.gap())}; }
+DoorFace face_from_wire(const own::DoorFace_& face) {
+  return {face.room(), from_wire(face.gap()), face.position_sigma_m()};
+}
 
 own::Door_ door_to_wire(const Door& door) {
   own::Door_ out;
@@ -23,6 +26,9 @@ own::Door_ door_to_wire(const Door& door) {
   out.other_face(face_to_wire(door.other_face.value_or(DoorFace{})));
   out.has_height(door.height_m.has_value());
   out.height_m(door.height_m.value_or(0.0));
+  out.has_thickness(door.thickness_m.has_value());
+  out.thickness_m(door.thickness_m.value_or(0.0));
+  out.driven(door.driven);
   return out;
 }
 
@@ -31,7 +37,9 @@ Door door_from_wire(const own::Door_& door) {
           .kind = enum_from_wire(door.kind(), DoorKind::kBlocked, "the kind of a door"),
           .face = face_from_wire(door.face()),
           .other_face = optional_from_wire(door.has_other_face(), face_from_wire(door.other_face())),
-          .height_m = optional_from_wire(door.has_height(), door.height_m())};
+          .height_m = optional_from_wire(door.has_height(), door.height_m()),
+          .thickness_m = optional_from_wire(door.has_thickness(), door.thickness_m()),
+          .driven = door.driven()};
 }
 
 own::Room_ room_to_wire(const Room& room) {
@@ -46,6 +54,10 @@ own::Room_ room_to_wire(const Room& room) {
   out.outline(outline_to_wire(room.polygon));
   out.zone_id(room.zone_id);
   out.fixed_ns(room.fixed_ns);
+  out.seen_ns(room.seen_ns);
+  out.has_pose_room_base(room.T_room_base.has_value());
+  out.pose_room_base(to_wire(room.T_room_base.value_or(Pose2{})));
+  out.place(room.place);
   return out;
 }
 
@@ -58,7 +70,39 @@ Room room_from_wire(const own::Room_& room) {
           .covariance = optional_from_wire(room.has_covariance(), room.covariance()),
           .polygon = outline_from_wire(room.outline()),
           .zone_id = room.zone_id(),
-          .fixed_ns = room.fixed_ns()};
+          .fixed_ns = room.fixed_ns(),
+          .seen_ns = room.seen_ns(),
+          .T_room_base = optional_from_wire(room.has_pose_room_base(), from_wire(room.pose_room_base())),
+          .place = room.place()};
+}
+
+own::RoomLink_ link_to_wire(const RoomLink& link) {
+  own::RoomLink_ out;
+  out.from_room(link.from);
+  out.to_room(link.to);
+  out.pose_from_to(to_wire(link.T_from_to));
+  out.sigma_position_m(link.sigma_position_m);
+  out.sigma_yaw_rad(link.sigma_yaw_rad);
+  return out;
+}
+
+RoomLink link_from_wire(const own::RoomLink_& link) {
+  return {link.from_room(), link.to_room(), from_wire(link.pose_from_to()), link.sigma_position_m(),
+          link.sigma_yaw_rad()};
+}
+
+own::Place_ place_to_wire(const Place& place) {
+  own::Place_ out;
+  out.id(place.id);
+  out.parent(place.parent);
+  out.kind(enum_to_wire(place.kind));
+  out.name(place.name);
+  return out;
+}
+
+Place place_from_wire(const own::Place_& place) {
+  return {place.id(), place.parent(), enum_from_wire(place.kind(), PlaceKind::kFloor, "the kind of a place"),
+          checked(place.name())};
 }
 
 }  // namespace
@@ -69,14 +113,22 @@ own::TopologicalMap_ to_wire(const TopologicalMap& map) {
   out.stamp_ns(map.stamp_ns);
   out.rooms(each<own::Room_>(map.rooms, room_to_wire));
   out.doors(each<own::Door_>(map.doors, door_to_wire));
+  out.links(each<own::RoomLink_>(map.links, link_to_wire));
+  out.places(each<own::Place_>(map.places, place_to_wire));
   return out;
 }
 
 TopologicalMap from_wire(const own::TopologicalMap_& map) {
   check_count(map.rooms().size(), kMaxRooms, "rooms");
   check_count(map.doors().size(), kMaxDoors, "doors");
-  return {map.version(), map.stamp_ns(), each<Room>(map.rooms(), room_from_wire),
-          each<Door>(map.doors(), door_from_wire)};
+  check_count(map.links().size(), kMaxLinks, "links");
+  check_count(map.places().size(), kMaxRooms, "places");
+  return {map.version(),
+          map.stamp_ns(),
+          each<Room>(map.rooms(), room_from_wire),
+          each<Door>(map.doors(), door_from_wire),
+          each<RoomLink>(map.links(), link_from_wire),
+          each<Place>(map.places(), place_from_wire)};
 }
 
 }  // namespace enfilade::wire

@@ -24,6 +24,7 @@ inline constexpr std::size_t kMaxCellHits = 1'000'000;
 inline constexpr std::size_t kMaxOutlinePoints = 10'000;
 inline constexpr std::size_t kMaxRooms = 10'000;
 inline constexpr std::size_t kMaxDoors = 100'000;
+inline constexpr std::size_t kMaxLinks = 100'000;
 inline constexpr std::size_t kMaxTextBytes = 65'536;
 
 /// Throws WireError if `count` is more than `most`; `what` is the field, in the plural.

@@ -10,8 +10,9 @@
 
 namespace enfilade {
 
-using RoomId = std::uint32_t;  ///< from 1; 0 on the wire means "none"
-using DoorId = std::uint32_t;  ///< from 1
+using RoomId = std::uint32_t;   ///< from 1; 0 on the wire means "none"
+using DoorId = std::uint32_t;   ///< from 1
+using PlaceId = std::uint32_t;  ///< from 1; 0 = none
 
 enum class DoorKind : std::uint8_t {
   kUnresolved = 0,  ///< seen from one side only
@@ -24,6 +25,7 @@ enum class DoorKind : std::uint8_t {
 struct DoorFace {
   RoomId room = 0;
   WallInterval gap;
+  double position_sigma_m = 0.0;  ///< standard deviation of gap.middle_m; 0 = not estimated
 
   bool operator==(const DoorFace&) const = default;
 };
@@ -35,6 +37,9 @@ struct Door {
   DoorFace face;
   std::optional<DoorFace> other_face;
   std::optional<double> height_m;
+  std::optional<double> thickness_m;  ///< of the wall between the faces, where both are known; ≥ 0
+  bool driven =
+      false;  ///< the robot has gone through: certain, while a door that only seems to join may be wrong
 
   bool operator==(const Door&) const = default;
 };
@@ -50,6 +55,9 @@ struct Room {
   std::vector<Point2> polygon;  ///< room frame; empty = the rectangle itself
   std::uint32_t zone_id = 0;    ///< the zone it was modelled in
   StampNs fixed_ns = 0;
+  StampNs seen_ns = 0;               ///< when an estimate last agreed with it
+  std::optional<Pose2> T_room_base;  ///< from where it was modelled: the robot's pose in the room
+  PlaceId place = 0;                 ///< the floor it is on
 
   Rectangle rectangle() const {
     return {T_map_room.yaw_rad, T_map_room.x_m, T_map_room.y_m, width_m, height_m};
@@ -57,11 +65,36 @@ struct Room {
   bool operator==(const Room&) const = default;
 };
 
+enum class PlaceKind : std::uint8_t { kBuilding = 0, kFloor = 1 };
+
+/// A node that holds a graph of its own (section II): a building holds floors, a floor holds rooms.
+struct Place {
+  PlaceId id = 0;
+  PlaceId parent = 0;  ///< 0 = the top
+  PlaceKind kind = PlaceKind::kFloor;
+  std::string name;
+
+  bool operator==(const Place&) const = default;
+};
+
+/// What odometry measured from one room's frame to the next one's, with its standard deviations.
+struct RoomLink {
+  RoomId from = 0;
+  RoomId to = 0;
+  Pose2 T_from_to;
+  double sigma_position_m = 0.0;
+  double sigma_yaw_rad = 0.0;
+
+  bool operator==(const RoomLink&) const = default;
+};
+
 struct TopologicalMap {
   std::uint64_t version = 0;  ///< grows with every accepted change
   StampNs stamp_ns = 0;
-  std::vector<Room> rooms;  ///< by id
-  std::vector<Door> doors;  ///< by id
+  std::vector<Room> rooms;      ///< by id
+  std::vector<Door> doors;      ///< by id
+  std::vector<RoomLink> links;  ///< in the order of driving
+  std::vector<Place> places;    ///< by id, parents first
 
   const Room* find_room(RoomId id) const;
   const Door* find_door(DoorId id) const;
@@ -82,14 +115,21 @@ struct CurrentZone {
   std::optional<RoomId> from_room;  ///< where the robot came from
   std::optional<DoorId> via_door;
   Pose2 T_map_zone;
+  bool located = true;        ///< false: started with a map but no pose, and T_map_zone means nothing yet
   StampNs valid_from_ns = 0;  ///< scans older than this belong to the zone before
 
   bool operator==(const CurrentZone&) const = default;
 };
 
-/// What eq. 18–19 or eq. 20 did to the map → odom transform or to a new room; for people and tests.
+/// What eq. 18–19, eq. 20, eq. 21 or finding the place in a saved map did to the map → odom transform or to a
+/// new room; for people and tests.
 struct PoseCorrection {
-  enum class Reason : std::uint8_t { kModelDeviation = 0, kCommonDoor = 1 };
+  enum class Reason : std::uint8_t {
+    kModelDeviation = 0,
+    kCommonDoor = 1,
+    kMinimisation = 2,
+    kLocalised = 3
+  };
 
   StampNs stamp_ns = 0;
   Reason reason = Reason::kModelDeviation;

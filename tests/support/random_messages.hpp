@@ -168,21 +168,27 @@ class RandomMessages {
         v.interior, v.slice, v.rejected, v.gaps);
     for (WallDiagnostics& wall : v.walls) fill(wall);
   }
-  void fill(DoorFace& v) { all(v.room, v.gap); }
+  void fill(DoorFace& v) { all(v.room, v.gap, v.position_sigma_m); }
   void fill(Door& v) {
-    all(v.id, v.face, v.other_face, v.height_m);
+    all(v.id, v.face, v.other_face, v.height_m, v.thickness_m, v.driven);
     pick(v.kind, DoorKind::kBlocked);
   }
   void fill(Room& v) {
-    all(v.id, v.name, v.T_map_room, v.width_m, v.height_m, v.covariance, v.polygon, v.zone_id, v.fixed_ns);
+    all(v.id, v.name, v.T_map_room, v.width_m, v.height_m, v.covariance, v.polygon, v.zone_id, v.fixed_ns,
+        v.seen_ns, v.T_room_base, v.place);
   }
-  void fill(TopologicalMap& v) { all(v.version, v.stamp_ns, v.rooms, v.doors); }
+  void fill(RoomLink& v) { all(v.from, v.to, v.T_from_to, v.sigma_position_m, v.sigma_yaw_rad); }
+  void fill(Place& v) {
+    all(v.id, v.parent, v.name);
+    pick(v.kind, PlaceKind::kFloor);
+  }
+  void fill(TopologicalMap& v) { all(v.version, v.stamp_ns, v.rooms, v.doors, v.links, v.places); }
   void fill(CurrentZone& v) {
-    all(v.zone_id, v.room, v.from_room, v.via_door, v.T_map_zone, v.valid_from_ns);
+    all(v.zone_id, v.room, v.from_room, v.via_door, v.T_map_zone, v.located, v.valid_from_ns);
   }
   void fill(PoseCorrection& v) {
     all(v.stamp_ns, v.room, v.deviation, v.T_map_odom);
-    pick(v.reason, PoseCorrection::Reason::kCommonDoor);
+    pick(v.reason, PoseCorrection::Reason::kLocalised);
   }
   void fill(ExplorationState& v) {
     all(v.tag, v.stamp_ns, v.activity, v.sweeps_in_zone, v.sweeps_total, v.unexplored_wall_share, v.room,

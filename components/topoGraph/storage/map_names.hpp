@@ -16,6 +16,8 @@ inline constexpr std::string_view kEnd = "end: enfilade-map\n";
 
 /// By the value of DoorKind.
 inline constexpr std::array<std::string_view, 4> kDoorKinds{"unresolved", "passage", "exit", "blocked"};
+/// By the value of PlaceKind.
+inline constexpr std::array<std::string_view, 2> kPlaceKinds{"building", "floor"};
 /// By the value of RequestKind.
 inline constexpr std::array<std::string_view, 3> kRequestKinds{"fix_room", "enter_zone", "mark_door"};
 

@@ -62,6 +62,9 @@ Room read_room(const YamlValue& value) {
   room.height_m = read_size(map.take("height_m"));
   room.zone_id = map.take("zone_id").id();
   room.fixed_ns = map.take("fixed_ns").signed_count();
+  if (const auto seen = map.take_if_present("seen_ns")) room.seen_ns = seen->signed_count();
+  if (const auto pose = map.take_if_present("T_room_base")) room.T_room_base = read_pose(*pose);
+  if (const auto place = map.take_if_present("place")) room.place = place->id();
   if (const auto covariance = map.take_if_present("covariance_rad_m"))
     room.covariance = read_covariance(*covariance);
   if (const auto polygon = map.take_if_present("polygon_m")) {
@@ -78,6 +81,7 @@ DoorFace read_face(const YamlValue& value, const TopologicalMap& graph) {
   face.gap.wall = static_cast<std::uint8_t>(map.take("wall").count(3));
   face.gap.from_m = map.take("from_m").number();
   face.gap.to_m = map.take("to_m").number();
+  if (const auto sigma = map.take_if_present("position_sigma_m")) face.position_sigma_m = sigma->number();
   map.finish();
   const Room* room = graph.find_room(face.room);
   if (!room) value.fail("there is no room " + std::to_string(face.room));
@@ -99,9 +103,46 @@ Door read_door(const YamlValue& value, const TopologicalMap& graph) {
   door.face = read_face(map.take("face"), graph);
   if (const auto other = map.take_if_present("other_face")) door.other_face = read_face(*other, graph);
   if (const auto height = map.take_if_present("height_m")) door.height_m = height->number();
+  if (const auto thickness = map.take_if_present("thickness_m")) door.thickness_m = thickness->number();
+  if (const auto driven = map.take_if_present("driven")) door.driven = driven->flag();
   map.finish();
   if (door.kind == DoorKind::kPassage && !door.other_face) kind.fail("a passage has an other_face");
   return door;
+}
+
+RoomId read_known_room(const YamlValue& value, const TopologicalMap& graph) {
+  if (!graph.find_room(value.id())) value.fail("there is no room " + std::to_string(value.id()));
+  return value.id();
+}
+
+double read_sigma(const YamlValue& value) {
+  const double sigma = value.number();
+  if (sigma <= 0.0) value.fail("a standard deviation must be greater than 0");
+  return sigma;
+}
+
+RoomLink read_link(const YamlValue& value, const TopologicalMap& graph) {
+  YamlMap map(value);
+  RoomLink link;
+  link.from = read_known_room(map.take("from"), graph);
+  link.to = read_known_room(map.take("to"), graph);
+  link.T_from_to = read_pose(map.take("T_from_to"));
+  link.sigma_position_m = read_sigma(map.take("sigma_position_m"));
+  link.sigma_yaw_rad = read_sigma(map.take("sigma_yaw_rad"));
+  map.finish();
+  return link;
+}
+
+Place read_place(const YamlValue& value) {
+  YamlMap map(value);
+  Place place;
+  place.id = map.take("id").id();
+  place.parent = static_cast<PlaceId>(map.take("parent").count(std::numeric_limits<PlaceId>::max()));
+  const auto& kinds = names::kPlaceKinds;
+  place.kind = static_cast<PlaceKind>(map.take("kind").one_of(kinds.data(), kinds.data() + kinds.size()));
+  place.name = map.take("name").text();
+  map.finish();
+  return place;
 }
 
 Answer read_answer(const YamlValue& value) {
@@ -122,8 +163,7 @@ Answer read_answer(const YamlValue& value) {
 std::optional<std::uint32_t> read_room_id(YamlMap& map, const char* key, const TopologicalMap& graph) {
   const auto value = map.take_if_present(key);
   if (!value) return std::nullopt;
-  if (!graph.find_room(value->id())) value->fail("there is no room " + std::to_string(value->id()));
-  return value->id();
+  return read_known_room(*value, graph);
 }
 
 CurrentZone read_zone(YamlMap& map, const TopologicalMap& graph) {
@@ -136,6 +176,7 @@ CurrentZone read_zone(YamlMap& map, const TopologicalMap& graph) {
     if (!graph.find_door(*zone.via_door)) door->fail("there is no door " + std::to_string(*zone.via_door));
   }
   zone.T_map_zone = read_pose(map.take("T_map_zone"));
+  if (const auto located = map.take_if_present("located")) zone.located = located->flag();
   zone.valid_from_ns = map.take("valid_from_ns").signed_count();
   return zone;
 }
@@ -195,6 +236,10 @@ MapFile read_file(const YAML::Node& root, const std::string& name) {
   for (const YamlValue& room : map.take("rooms").list()) append(file.map.rooms, read_room(room), room);
   for (const YamlValue& door : map.take("doors").list())
     append(file.map.doors, read_door(door, file.map), door);
+  if (const auto links = map.take_if_present("links"))
+    for (const YamlValue& link : links->list()) file.map.links.push_back(read_link(link, file.map));
+  if (const auto places = map.take_if_present("places"))
+    for (const YamlValue& place : places->list()) append(file.map.places, read_place(place), place);
   if (const auto session = map.take_if_present("session")) file.session = read_session(*session, file.map);
   map.take("end");
   map.finish();

@@ -46,7 +46,8 @@ std::string rectangle(const Rectangle& r) {
 
 std::string face(const DoorFace& f) {
   return "{room: " + std::to_string(f.room) + ", wall: " + std::to_string(f.gap.wall) +
-         ", from_m: " + number(f.gap.from_m) + ", to_m: " + number(f.gap.to_m) + "}";
+         ", from_m: " + number(f.gap.from_m) + ", to_m: " + number(f.gap.to_m) +
+         (f.position_sigma_m > 0.0 ? ", position_sigma_m: " + number(f.position_sigma_m) : "") + "}";
 }
 
 template <class Items, class Write>
@@ -67,6 +68,9 @@ std::string room_text(const Room& room) {
                     "\n    height_m: " + number(room.height_m) +
                     "\n    zone_id: " + std::to_string(room.zone_id) +
                     "\n    fixed_ns: " + std::to_string(room.fixed_ns) + "\n";
+  if (room.seen_ns != 0) out += "    seen_ns: " + std::to_string(room.seen_ns) + "\n";
+  if (room.T_room_base) out += "    T_room_base: " + pose(*room.T_room_base) + "\n";
+  if (room.place != 0) out += "    place: " + std::to_string(room.place) + "\n";
   if (room.covariance) out += "    covariance_rad_m: " + list(*room.covariance, number) + "\n";
   const auto point = [](const Point2& p) { return "[" + number(p.x()) + ", " + number(p.y()) + "]"; };
   if (!room.polygon.empty()) out += "    polygon_m: " + list(room.polygon, point) + "\n";
@@ -79,7 +83,21 @@ std::string door_text(const Door& door) {
                     "\n    face: " + face(door.face) + "\n";
   if (door.other_face) out += "    other_face: " + face(*door.other_face) + "\n";
   if (door.height_m) out += "    height_m: " + number(*door.height_m) + "\n";
+  if (door.thickness_m) out += "    thickness_m: " + number(*door.thickness_m) + "\n";
+  if (door.driven) out += "    driven: true\n";
   return out;
+}
+
+std::string link_text(const RoomLink& link) {
+  return "  - {from: " + std::to_string(link.from) + ", to: " + std::to_string(link.to) +
+         ", T_from_to: " + pose(link.T_from_to) + ", sigma_position_m: " + number(link.sigma_position_m) +
+         ", sigma_yaw_rad: " + number(link.sigma_yaw_rad) + "}\n";
+}
+
+std::string place_text(const Place& place) {
+  return "  - {id: " + std::to_string(place.id) + ", parent: " + std::to_string(place.parent) +
+         ", kind: " + std::string(names::kPlaceKinds.at(static_cast<std::size_t>(place.kind))) +
+         ", name: " + quoted(place.name) + "}\n";
 }
 
 std::string answer_text(const Answer& answer) {
@@ -97,6 +115,7 @@ std::string session_text(const Session& session) {
          optional_id("via_door", zone.via_door);
   out += "  T_map_zone: " + pose(zone.T_map_zone) +
          "\n  valid_from_ns: " + std::to_string(zone.valid_from_ns) + "\n";
+  if (!zone.located) out += "  located: false\n";
   if (session.reference) out += "  reference: " + rectangle(*session.reference) + "\n";
   out += "  reference_ns: " + std::to_string(session.reference_ns) + "\n" +
          optional_id("odom_boot", session.odom_boot);
@@ -126,6 +145,8 @@ std::string to_yaml(const MapFile& file) {
   out += "changes: " + std::to_string(file.map.version) + "\nstamp_ns: " + std::to_string(file.map.stamp_ns) +
          "\n";
   out += section("rooms", file.map.rooms, room_text) + section("doors", file.map.doors, door_text);
+  if (!file.map.links.empty()) out += section("links", file.map.links, link_text);
+  if (!file.map.places.empty()) out += section("places", file.map.places, place_text);
   if (file.session) out += session_text(*file.session);
   return out + std::string(names::kEnd);
 }
