@@ -64,7 +64,8 @@ ProjectedLine ScanProjector::project(const RolledLine& line) const {
       ++out.diagnostics.invalid;
       continue;
     }
-    const Point3f p = point_on_beam(config_, beam_angle_rad(scan, i), line.roll_rad[i], range_m);
+    const Point3f p = point_on_beam(config_, beam_angle_rad(scan, i), line.roll_rad[i],
+                                    static_cast<double>(range_m) - config_.range_bias_m);
     if (is_self_hit(p)) {
       ++out.diagnostics.self_hits;
     } else if (veil[i]) {

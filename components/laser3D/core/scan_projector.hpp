@@ -16,6 +16,7 @@ struct ScanProjectorConfig {
   double body_radius_m = 0.22;  ///< of the robot's own body, a cylinder that stands on the floor, >= 0
   double body_height_m = 0.40;  ///< >= 0
   double body_margin_m = 0.03;  ///< returns this close to the body are self-hits, >= 0
+  double range_bias_m = 0.0;    ///< what the sensor measures too much; taken off every range
   double free_range_m = 8.0;    ///< a run of beams without return shows free space this far, > 0
   int free_run_beams = 8;       ///< a shorter run shows nothing, >= 1
   VeilFilterConfig veil;

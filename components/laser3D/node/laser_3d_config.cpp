@@ -16,6 +16,7 @@ void bind(ConfigBinder& c, ScanProjectorConfig& projector) {
   c.number("body_radius_m", projector.body_radius_m, 0.0, 5.0);
   c.number("body_height_m", projector.body_height_m, 0.0, 5.0);
   c.number("body_margin_m", projector.body_margin_m, 0.0, 1.0);
+  c.number("range_bias_m", projector.range_bias_m, -0.2, 0.2);
   c.number("free_range_m", projector.free_range_m, 0.1, 100.0);
   c.integer("free_run_beams", projector.free_run_beams, 1, 10000);
   c.number("veil_min_jump_m", projector.veil.min_jump_m, 0.01, 10.0);

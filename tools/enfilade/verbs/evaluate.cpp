@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <vector>
+
+#include "tools/enfilade/verbs/verbs.hpp"
+
+namespace enfilade {
+
+Verb add_evaluate(CLI::App& app) {
+  CLI::App* group = app.add_subcommand(
+      "evaluate", "Measure the parts of the system on random inputs of which the truth is known");
+  group->require_subcommand(1);
+  const std::vector<Verb> experiments{add_evaluate_perception(*group)};
+  return {group, [experiments] {
+            for (const Verb& experiment : experiments)
+              if (experiment.command->parsed()) return experiment.run();
+            return 2;
+          }};
+}
+
+}  // namespace enfilade
