@@ -6,10 +6,12 @@
 #include <utility>
 
 #include "tools/enfilade/draw/figures.hpp"
+#include "tools/enfilade/room/view.hpp"
 
 namespace enfilade::room {
 namespace {
 
+constexpr int kPlanarLayers = 5;  // that the one layer of a level sensor stands for
 constexpr double kPictureFrom_m = 0.15, kPictureTo_m = 2.2;  // heights shown
 
 /// The same room with the canonical rectangle, seen from another frame.
@@ -35,13 +37,29 @@ std::vector<Point2> standing_columns(const Survey& survey) {
   return points;
 }
 
+/// Votes count cells in whole numbers: one alone could not be weighed against a toll of a twentieth.
+void thicken(std::vector<GridCell>& cells) {
+  const std::size_t known = cells.size();
+  cells.reserve(kPlanarLayers * known);
+  for (int layer = 1; layer < kPlanarLayers; ++layer) {
+    for (std::size_t i = 0; i < known; ++i) {
+      GridCell cell = cells[i];
+      cell.z = static_cast<std::int16_t>(cell.z + layer);
+      cells.push_back(cell);
+    }
+  }
+}
+
 }  // namespace
 
 room_detector::RoomDetectorConfig planar(room_detector::RoomDetectorConfig config, double resolution_m) {
-  const double from_m = planar_layer(resolution_m) * resolution_m, to_m = from_m + resolution_m;
+  const double from_m = planar_layer(resolution_m) * resolution_m;
+  const double to_m = from_m + kPlanarLayers * resolution_m;
   config.band.band = room_detector::BandChoice::kUpper;
   config.band.wall_band_from_m = config.door_finder.band_from_m = from_m;
   config.band.wall_band_to_m = config.door_finder.band_to_m = to_m;
+  // A cupboard cannot be told from a wall at one height: what stands inside says nothing against a room.
+  config.votes.interior_share = 0.0;
   config.door_finder.sill_m = to_m;
   config.door_finder.beyond_floor_m = 0.0;
   return config;
@@ -55,8 +73,10 @@ FoundRoom find_room(const Survey& survey, const room_detector::RoomDetectorConfi
   suited.hough.step_m = std::max(suited.hough.step_m, survey.resolution_m);
   room_detector::RoomDetector detector(suited);
   detector.clear(survey.resolution_m);
-  detector.update({.resolution_m = survey.resolution_m, .cells = survey.cells});
-  if (!survey.hits.empty()) detector.add_hits({.T_zone_base = T_survey_robot, .hits = survey.hits});
+  Survey view = survey.is_fused ? seen_from(T_survey_robot.translation(), survey) : survey;
+  if (view.is_planar) thicken(view.cells);
+  detector.update({.resolution_m = view.resolution_m, .cells = view.cells});
+  if (!view.hits.empty()) detector.add_hits({.T_zone_base = T_survey_robot, .hits = view.hits});
   const room_detector::Detection detection = detector.estimate(T_survey_robot);
   FoundRoom found{.estimate = detection.estimate,
                   .T_file_robot = survey.T_file_survey * T_survey_robot,

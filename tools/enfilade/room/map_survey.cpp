@@ -63,7 +63,10 @@ Survey survey_of_map(const std::string& file, const SurveyConfig& config) {
       has_frame ? read_frame(file) : MapFrame{.image = file, .resolution_m = config.map_resolution_m};
   const simulator::GreyImage image = simulator::read_grey_image(frame.image);
   check(frame, image, file);
-  Survey survey{.resolution_m = frame.resolution_m, .is_planar = true, .T_file_survey = frame.T_map_corner};
+  Survey survey{.resolution_m = frame.resolution_m,
+                .is_fused = true,
+                .is_planar = true,
+                .T_file_survey = frame.T_map_corner};
   const int layer = planar_layer(frame.resolution_m);
   for (int row = 0; row < image.rows; ++row) {
     for (int column = 0; column < image.columns; ++column) {

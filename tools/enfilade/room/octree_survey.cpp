@@ -133,7 +133,7 @@ void append_cells(const Cube& cube, int floor, Survey& survey) {
 Survey survey_of_octree(const laser_3d::FileBytes& file) {
   const TreeHeader header = read_header(file);
   const std::vector<Cube> cubes = TreeReader(file, header.data).read();
-  Survey survey{.resolution_m = header.resolution_m};
+  Survey survey{.resolution_m = header.resolution_m, .is_fused = true};
   const int floor = floor_layer(cubes);
   for (const Cube& cube : cubes) {
     const double volume = std::pow(cube.side, 2) * std::min(cube.side, 400);

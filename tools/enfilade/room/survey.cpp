@@ -63,9 +63,10 @@ Survey survey_of_cloud(const laser_3d::FileBytes& file, const SurveyConfig& conf
                 .T_file_survey = {scanned.origin.x_m, scanned.origin.y_m, 0.0}};
   grid_builder::ZoneGrid grid(config.grid);
   grid_builder::ScanLine line{.origin = {0.0F, 0.0F, static_cast<float>(cloud->scanner_height_m)}};
-  for (const auto& points : cloud->lines) {
+  for (std::size_t i = 0; i < cloud->lines.size(); ++i) {
     ++line.stamp_ns;
-    line.hits = points;
+    line.hits = cloud->lines[i];
+    line.free_ends = cloud->free_ends[i];
     insert(grid, line, survey);
   }
   survey.cells = grid.known_cells();
@@ -80,7 +81,8 @@ Survey survey_of_log(const laser_3d::FileBytes& file, const SurveyConfig& config
   one_layer.min_height_m = layer * r;
   one_layer.max_height_m = (layer + 1) * r;
   grid_builder::ZoneGrid grid(one_layer);
-  Survey survey{.resolution_m = r, .is_planar = true, .T_survey_stand = log.scans.back().T_map_laser};
+  Survey survey{
+      .resolution_m = r, .is_fused = true, .is_planar = true, .T_survey_stand = log.scans.back().T_map_laser};
   const auto at_layer = [z = static_cast<float>((layer + 0.5) * r)](const Point2& p) {
     return Point3f{static_cast<float>(p.x()), static_cast<float>(p.y()), z};
   };

@@ -25,6 +25,7 @@ struct Survey {
   double resolution_m = 0.05;
   std::vector<GridCell> cells;  ///< the known ones
   std::vector<CellHit> hits;    ///< returns behind them; none where only the grid is known
+  bool is_fused = false;        ///< from many places, not from T_survey_stand alone
   bool is_planar = false;       ///< one layer, at kPlanarHeight_m: nothing is known of heights
   Pose2 T_survey_stand;         ///< where the robot stands unless the user says otherwise
   Pose2 T_file_survey;          ///< the coordinates of the file, which its user knows
