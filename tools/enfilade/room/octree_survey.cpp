@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <utility>
 
 #include "tools/enfilade/room/survey.hpp"
 
@@ -17,6 +16,7 @@ constexpr double kHeight_m = 12.0;  // of what is looked at, over the floor's lo
 /// Where the tree begins, and how large its cells are.
 struct TreeHeader {
   double resolution_m = 0.0;
+  std::size_t nodes = 0;
   std::size_t data = 0;
 };
 
@@ -41,6 +41,7 @@ TreeHeader read_header(const laser_3d::FileBytes& file) {
     }
     if (word[0] == "id" && (word.size() < 2 || word[1] != "OcTree"))
       laser_3d::reject_line(file, lines.number(), "only trees of the kind OcTree can be read");
+    if (word[0] == "size" && word.size() > 1) header.nodes = laser_3d::to_count(word[1]).value_or(0);
     if (word[0] == "res" && word.size() > 1) header.resolution_m = laser_3d::to_number(word[1]).value_or(0.0);
   }
   if (header.data == 0) laser_3d::reject(file, "has no line 'data': the file is cut off; get it again");
@@ -55,8 +56,8 @@ class TreeReader {
  public:
   TreeReader(const laser_3d::FileBytes& file, std::size_t at) : file_(file), at_(at) {}
 
-  std::vector<Cube> read() {
-    if (at_ < file_.bytes.size()) read_node({0, 0, 0, 1 << kDepth});
+  std::vector<Cube> read(std::size_t nodes) {
+    if (nodes > 0) read_node({0, 0, 0, 1 << kDepth});
     return std::move(cubes_);
   }
 
@@ -90,28 +91,21 @@ class TreeReader {
   std::vector<Cube> cubes_;
 };
 
-/// Cell layer of the floor: the lowest that is occupied over a large area. A floor that lies on the border of
-/// two layers is one floor.
+/// Cell layer of the floor: the lowest that is occupied over a large area. A floor on the border of two
+/// layers lies in the fuller one.
 int floor_layer(const std::vector<Cube>& cubes) {
   constexpr double kLargeShare = 0.3;  // of the largest layer
   std::map<int, double> area;
+  double largest = 0.0;
   for (const Cube& c : cubes) {
     if (!c.occupied) continue;
-    area[c.z] += c.side * c.side;
-    area[c.z + 1] += 0.0;
+    area[c.z] += static_cast<double>(c.side) * c.side;
+    largest = std::max(largest, area[c.z]);
   }
-  double largest = 0.0, below = 0.0;
-  for (auto& [layer, cells] : area) {
-    const double both = cells + below;
-    below = std::exchange(cells, both);
-    largest = std::max(largest, both);
-  }
-  for (auto layer = area.begin(); layer != area.end(); ++layer) {
-    if (layer->second < kLargeShare * largest) continue;
-    const auto above = std::next(layer);
-    const bool is_rising =
-        above != area.end() && above->first == layer->first + 1 && above->second > layer->second;
-    if (!is_rising) return layer->first;
+  for (const auto& [layer, cells] : area) {
+    const auto above = area.find(layer + 1);
+    const double cells_above = above == area.end() ? 0.0 : above->second;
+    if (cells + cells_above >= kLargeShare * largest) return cells_above > cells ? layer + 1 : layer;
   }
   return kCellOfOrigin;
 }
@@ -132,7 +126,7 @@ void append_cells(const Cube& cube, int floor, Survey& survey) {
 
 Survey survey_of_octree(const laser_3d::FileBytes& file) {
   const TreeHeader header = read_header(file);
-  const std::vector<Cube> cubes = TreeReader(file, header.data).read();
+  const std::vector<Cube> cubes = TreeReader(file, header.data).read(header.nodes);
   Survey survey{.resolution_m = header.resolution_m, .is_fused = true};
   const int floor = floor_layer(cubes);
   for (const Cube& cube : cubes) {
