@@ -34,6 +34,7 @@ class HoughLattice {
  public:
   explicit HoughLattice(const HoughConfig& config)
       : step_m_(config.step_m),
+        bins_per_m_(1.0 / config.step_m),
         theta_step_rad_(radians(config.theta_step_deg)),
         first_(static_cast<int>(std::ceil(-0.25 * kPi / theta_step_rad_ - 1e-9))),
         angles_(static_cast<int>(std::ceil(0.25 * kPi / theta_step_rad_ - 1e-9)) - first_),
@@ -46,7 +47,7 @@ class HoughLattice {
   int bins() const { return 2 * half_; }
   double step_m() const { return step_m_; }
   /// Index of the bin that holds d (or p); outside [0, bins()) where the space ends.
-  int bin(double d_m) const { return static_cast<int>(std::floor(d_m / step_m_)) + half_; }
+  int bin(double d_m) const { return static_cast<int>(std::floor(d_m * bins_per_m_)) + half_; }
   /// Centre of a bin.
   double value_m(int bin) const { return (bin - half_ + 0.5) * step_m_; }
   bool holds(int bin) const { return bin >= 0 && bin < bins(); }
@@ -61,6 +62,7 @@ class HoughLattice {
 
  private:
   double step_m_;
+  double bins_per_m_;
   double theta_step_rad_;
   int first_;
   int angles_;

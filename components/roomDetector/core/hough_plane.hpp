@@ -2,8 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
 #include <vector>
 
 #include "components/roomDetector/core/hough_space.hpp"
@@ -24,7 +22,7 @@ class HoughPlane {
   int alpha() const { return alpha_; }
   int toll() const { return toll_; }
 
-  /// Weight of one bin: its occupied votes, or, where there are none, minus its free votes, scaled.
+  /// Weight of one bin: its occupied votes less what free space there costs.
   int weight(int d, int p) const { return along_p(d, p + 1) - along_p(d, p); }
   /// Σ of weights (d, p') over p' < p, for 0 ≤ p ≤ bins.
   int along_p(int d, int p) const { return along_p_[at(d, p)]; }
@@ -35,8 +33,6 @@ class HoughPlane {
   int interior_below(int d12, int d34, int d23) const { return interior(d12, d34, d23 - margin_); }
   int interior_above(int d12, int d34, int d41) const { return interior(d12, d34, d41 + 1 + margin_); }
 
-  /// h₁₂, h₂₃, h₃₄ and h₄₁ of eq. 6–9.
-  std::array<int, 4> walls(const BinRectangle& r) const;
   /// H_r of eq. 5–9, plus what `score: evidence` adds.
   int score(const BinRectangle& r) const;
 
@@ -52,8 +48,7 @@ class HoughPlane {
   }
   void clear(const HoughSpace& space, int angle);
   void cast(const HoughSpace& space);
-  void charge_for_free(const Penalties& penalties);
-  void mark_near(int near_bins);
+  void charge(const HoughSpace& space);
   void accumulate();
   void accumulate_interior();
 
@@ -62,8 +57,7 @@ class HoughPlane {
   int toll_ = 0;
   int margin_ = 0;
   bool has_interior_ = false;
-  std::vector<int> along_p_, along_d_, interior_, free_;
-  std::vector<std::uint8_t> is_near_;  // something occupied is in the bin or near it
+  std::vector<int> along_p_, along_d_, interior_;
 };
 
 }  // namespace enfilade::room_detector

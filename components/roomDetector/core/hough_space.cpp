@@ -3,7 +3,10 @@
 
 namespace enfilade::room_detector {
 
-HoughSpace::HoughSpace(const HoughConfig& config, const Point2& origin) : lattice_(config), origin_(origin) {
+HoughSpace::HoughSpace(const HoughConfig& config, const Point2& origin, double cell_m)
+    : lattice_(config),
+      origin_(origin),
+      free_map_(cell_m, origin, std::sqrt(2.0) * (config.range_m + config.step_m)) {
   for (int a = 0; a < lattice_.angles(); ++a) {
     directions_.push_back({std::cos(lattice_.alpha_rad(a)), std::sin(lattice_.alpha_rad(a))});
   }
@@ -11,15 +14,46 @@ HoughSpace::HoughSpace(const HoughConfig& config, const Point2& origin) : lattic
   sums_by_p_.assign(offset(lattice_.angles()), 0);
 }
 
+void HoughSpace::set_penalties(const Penalties& penalties) {
+  penalties_ = penalties;
+  free_map_.set_rule(penalties.per_free, penalties.near_cells);
+}
+
 void HoughSpace::set(std::size_t index, const Vote& vote) {
-  if (index >= votes_.size()) votes_.resize(index + 1);
+  if (index >= votes_.size()) {
+    votes_.resize(index + 1);
+    wall_vote_of_.resize(index + 1, -1);
+  }
   Vote& old = votes_[index];
-  if (old.occupied != 0 && old.position != vote.position) {
-    add(old.position, -old.occupied);
-    old.occupied = 0;
+  if (old == vote) return;
+  if (old.position != vote.position) {
+    if (old.occupied != 0) add(old.position, -old.occupied);
+    free_map_.add(old.position, -old.free, -(old.occupied > 0));
+    old.occupied = old.free = 0;
   }
   if (vote.occupied != old.occupied) add(vote.position, vote.occupied - old.occupied);
+  const int more_free = vote.free - old.free, more_occupied = (vote.occupied > 0) - (old.occupied > 0);
+  if (more_free != 0 || more_occupied != 0) free_map_.add(vote.position, more_free, more_occupied);
   old = vote;
+  keep_wall_vote(index, vote);
+}
+
+void HoughSpace::keep_wall_vote(std::size_t index, const Vote& vote) {
+  std::int32_t& slot = wall_vote_of_[index];
+  if (vote.occupied == 0 && vote.interior == 0) {
+    if (slot < 0) return;
+    wall_votes_[static_cast<std::size_t>(slot)] = wall_votes_.back();
+    wall_vote_of_[wall_votes_.back().index] = slot;
+    wall_votes_.pop_back();
+    slot = -1;
+    return;
+  }
+  if (slot < 0) {
+    slot = static_cast<std::int32_t>(wall_votes_.size());
+    wall_votes_.emplace_back();
+  }
+  const Point2 q = vote.position - origin_;
+  wall_votes_[static_cast<std::size_t>(slot)] = {q.x(), q.y(), vote.occupied, vote.interior, index};
 }
 
 void HoughSpace::add(const Point2& position, int occupied) {
@@ -33,6 +67,52 @@ void HoughSpace::add(const Point2& position, int occupied) {
 
 Rectangle HoughSpace::rectangle(const BinRectangle& r) const {
   return Pose2{origin_.x(), origin_.y(), 0.0} * lattice_.rectangle(r);
+}
+
+HoughSpace::BinCentres HoughSpace::bin_centres(int angle) const {
+  const Direction& n = directions_[static_cast<std::size_t>(angle)];
+  const double first = lattice_.value_m(0), by_bin = FreeMap::kOne * lattice_.step_m() / free_map_.cell_m();
+  const auto fixed = [](double value) { return static_cast<std::int32_t>(std::lround(value)); };
+  return {fixed(free_map_.fixed_x(origin_.x() + first * (n.cos - n.sin))),
+          fixed(free_map_.fixed_y(origin_.y() + first * (n.sin + n.cos))), fixed(by_bin * n.cos),
+          fixed(by_bin * n.sin)};
+}
+
+std::array<int, 4> HoughSpace::walls(const BinRectangle& r) const {
+  std::array<int, 4> walls{};
+  for (const WallVote& vote : wall_votes_) {
+    const Bins b = bins_at(r.alpha, vote.x_m, vote.y_m);
+    if (b.d == r.d12 && b.p >= r.d41 && b.p < r.d23) walls[0] += vote.occupied;  // eq. 6
+    if (b.p == r.d23 && b.d >= r.d12 && b.d < r.d34) walls[1] += vote.occupied;  // eq. 8
+    if (b.d == r.d34 && b.p > r.d41 && b.p <= r.d23) walls[2] += vote.occupied;  // eq. 7
+    if (b.p == r.d41 && b.d > r.d12 && b.d <= r.d34) walls[3] += vote.occupied;  // eq. 9
+  }
+  if (!free_map_.charges()) return walls;
+  const BinCentres at = bin_centres(r.alpha);
+  const auto charge = [&](int d, int p) { return free_map_.charge_at(at.x_at(d, p), at.y_at(d, p)); };
+  for (int p = r.d41; p < r.d23; ++p) {
+    walls[0] -= charge(r.d12, p);
+    walls[2] -= charge(r.d34, p + 1);
+  }
+  for (int d = r.d12; d < r.d34; ++d) {
+    walls[1] -= charge(d, r.d23);
+    walls[3] -= charge(d + 1, r.d41);
+  }
+  return walls;
+}
+
+int HoughSpace::score(const BinRectangle& r) const {
+  const auto [h12, h23, h34, h41] = walls(r);
+  int inside = 0;
+  const int margin = penalties_.contour_bins;
+  for (const WallVote& vote : wall_votes_) {
+    if (vote.interior == 0) continue;
+    const Bins b = bins_at(r.alpha, vote.x_m, vote.y_m);
+    const bool is_inside =
+        b.d > r.d12 + margin && b.d < r.d34 - margin && b.p > r.d41 + margin && b.p < r.d23 - margin;
+    if (is_inside) inside += vote.interior;
+  }
+  return h12 + h23 + h34 + h41 - inside - penalties_.per_bin * 2 * (r.d34 - r.d12 + r.d23 - r.d41);  // eq. 5
 }
 
 }  // namespace enfilade::room_detector

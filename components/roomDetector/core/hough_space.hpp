@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
+#include "components/roomDetector/core/free_map.hpp"
 #include "components/roomDetector/core/hough_lattice.hpp"
 
 namespace enfilade::room_detector {
@@ -13,7 +16,7 @@ namespace enfilade::room_detector {
 struct Vote {
   Point2 position = Point2::Zero();
   int occupied = 0;  ///< ≥ 0, for a wall here
-  int free = 0;      ///< ≥ 0, against a wall here; counts in bins that hold nothing occupied
+  int free = 0;      ///< ≥ 0, against a wall here
   int interior = 0;  ///< ≥ 0, against a room that has this column inside
 
   bool operator==(const Vote&) const = default;
@@ -21,9 +24,9 @@ struct Vote {
 
 /// What `score: evidence` holds against a rectangle; the paper's score has none of it.
 struct Penalties {
-  double per_free = 0.0;  ///< for each free vote in a bin of the contour that has no occupied one
-  int per_bin = 0;    ///< toll for each bin of the contour: wall without evidence does not come for nothing
-  int near_bins = 0;  ///< a bin with something occupied so near, either way, pays for no free votes
+  double per_free = 0.0;  ///< of the free votes under the centre of each bin of the contour
+  int per_bin = 0;     ///< toll for each bin of the contour: wall without evidence does not come for nothing
+  int near_cells = 0;  ///< free votes so near to something occupied, either way, cost nothing
   int contour_bins = 0;  ///< what is so near to the contour is not inside the room
 };
 
@@ -35,7 +38,8 @@ struct Penalties {
 /// each θ; HoughPlane spells a plane out when it is needed.
 class HoughSpace {
  public:
-  HoughSpace(const HoughConfig& config, const Point2& origin);
+  /// Votes come from the centres of cells that begin at multiples of `cell_m`.
+  HoughSpace(const HoughConfig& config, const Point2& origin, double cell_m);
 
   const HoughLattice& lattice() const { return lattice_; }
   /// Where d = p = 0 lies.
@@ -43,7 +47,7 @@ class HoughSpace {
   const std::vector<Vote>& votes() const { return votes_; }
   /// Replaces the vote of column `index` (step 2 of the algorithm, for changed cells only).
   void set(std::size_t index, const Vote& vote);
-  void set_penalties(const Penalties& penalties) { penalties_ = penalties; }
+  void set_penalties(const Penalties& penalties);
   const Penalties& penalties() const { return penalties_; }
 
   /// Sum of `occupied` over each line of constant d (constant p) of plane `angle`, inside the space.
@@ -56,16 +60,45 @@ class HoughSpace {
   };
   Bins bins_of(int angle, const Point2& position) const {
     const Point2 q = position - origin_;
+    return bins_at(angle, q.x(), q.y());
+  }
+  /// The same from the origin.
+  Bins bins_at(int angle, double x_m, double y_m) const {
     const Direction& n = directions_[static_cast<std::size_t>(angle)];
-    return {lattice_.bin(q.x() * n.cos + q.y() * n.sin), lattice_.bin(q.y() * n.cos - q.x() * n.sin)};
+    return {lattice_.bin(x_m * n.cos + y_m * n.sin), lattice_.bin(y_m * n.cos - x_m * n.sin)};
   }
   Rectangle rectangle(const BinRectangle& r) const;
+
+  /// A vote that speaks for a wall or against an interior, and nothing of the others.
+  struct WallVote {
+    double x_m, y_m;  ///< from the origin
+    int occupied, interior;
+    std::size_t index;
+  };
+  const std::vector<WallVote>& wall_votes() const { return wall_votes_; }
+  const FreeMap& free_map() const { return free_map_; }
+
+  /// Where the centres of the bins of a plane lie in the map of free space: bin (d, p) at start + d · by_d +
+  /// p · by_p.
+  struct BinCentres {
+    std::int32_t x, y, x_by_d, y_by_d;
+    std::int32_t x_at(int d, int p) const { return x + d * x_by_d - p * y_by_d; }
+    std::int32_t y_at(int d, int p) const { return y + d * y_by_d + p * x_by_d; }
+  };
+  BinCentres bin_centres(int angle) const;
+
+  /// h₁₂, h₂₃, h₃₄ and h₄₁ of eq. 6–9, and H_r of eq. 5 with what `score: evidence` adds, counted vote by
+  /// vote. Each wall includes its first corner, going round the contour, and excludes its last, so that every
+  /// bin of the contour counts once.
+  std::array<int, 4> walls(const BinRectangle& r) const;
+  int score(const BinRectangle& r) const;
 
  private:
   struct Direction {
     double cos, sin;
   };
   void add(const Point2& position, int occupied);
+  void keep_wall_vote(std::size_t index, const Vote& vote);
   std::size_t bins() const { return static_cast<std::size_t>(lattice_.bins()); }
   std::size_t offset(int angle) const { return static_cast<std::size_t>(angle) * bins(); }
 
@@ -74,6 +107,9 @@ class HoughSpace {
   std::vector<Direction> directions_;
   std::vector<Vote> votes_;
   std::vector<int> sums_by_d_, sums_by_p_;
+  std::vector<WallVote> wall_votes_;
+  std::vector<std::int32_t> wall_vote_of_;  // by vote; -1 = none
+  FreeMap free_map_;
   Penalties penalties_;
 };
 

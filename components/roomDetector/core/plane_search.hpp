@@ -20,6 +20,7 @@ struct Incumbent {
   int gap_bound = kNever;  ///< the highest bound that was left unexplored for want of budget
   int expansions = 0;
   int max_expansions = 0;
+  int planes_opened = 0;
 
   bool has_budget() const { return expansions < max_expansions; }
   /// Whether something with this upper bound, whose first rectangle in order is `first`, may still win.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <queue>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -28,23 +30,42 @@ PlaneLimits limits_of(const HoughSpace& space, int angle, const SearchConfig& co
   return limits;
 }
 
-struct Angle {
-  int index;
-  PlaneLimits limits;
+/// A plane not yet looked into, with the best bound known.
+struct Plane {
   int bound;
+  int angle;
+  int bounded_at = kNever;  ///< the score to beat when the reaches were taken from the bounds of corners …
+  Reaches reaches;          ///< … or all that the limits allow
+
+  bool operator<(const Plane& other) const {
+    return bound < other.bound || (bound == other.bound && angle > other.angle);
+  }
 };
 
-/// All planes, best bound first.
-std::vector<Angle> angles_by_bound(const HoughSpace& space, const SearchConfig& config,
-                                   const std::optional<Point2>& robot) {
-  std::vector<Angle> angles;
-  for (int a = 0; a < space.lattice().angles(); ++a) {
-    const PlaneLimits limits = limits_of(space, a, config, robot);
-    angles.push_back({a, limits, bound_of(space, a, limits).total()});
-  }
-  std::stable_sort(angles.begin(), angles.end(),
-                   [](const Angle& a, const Angle& b) { return a.bound > b.bound; });
-  return angles;
+Reaches reaches_of(const HoughSpace& space, const HoughSpace::Bins& robot, const PlaneLimits& limits) {
+  const int bins = space.lattice().bins(), d = limits.d.max_gap - 1, p = limits.p.max_gap - 1;
+  return {std::min(robot.d, d), std::min(bins - 1 - robot.d, d), std::min(robot.p, p),
+          std::min(bins - 1 - robot.p, p)};
+}
+
+/// The best line on each side of the robot, by their sums alone.
+int bound_by_sums(std::span<const int> sums, int robot, int before, int behind) {
+  const auto most = [&](int from, int to) {
+    int value = 0;
+    for (int i = from; i < to; ++i)
+      value = sums[static_cast<std::size_t>(i)] > value ? sums[static_cast<std::size_t>(i)] : value;
+    return value;
+  };
+  return most(robot - before, robot) + most(robot + 1, robot + 1 + behind);
+}
+
+bool fits(const BinRectangle& r, const HoughSpace& space, const PlaneLimits& limits) {
+  const auto within = [&](const WindowLimits& l, int first, int second) {
+    return first >= 0 && second < space.lattice().bins() && first <= l.last_first &&
+           second >= l.first_second && second - first >= l.min_gap && second - first <= l.max_gap;
+  };
+  return r.alpha < space.lattice().angles() && within(limits.d, r.d12, r.d34) &&
+         within(limits.p, r.d41, r.d23);
 }
 
 }  // namespace
@@ -56,27 +77,92 @@ RectangleSearch::RectangleSearch(const SearchConfig& config) : config_(config) {
 
 std::optional<SearchResult> RectangleSearch::find_best(const HoughSpace& space,
                                                        const std::optional<Point2>& robot) {
-  Incumbent best{.max_expansions = config_.max_expansions};
-  SearchResult result;
-  for (const Angle& angle : angles_by_bound(space, config_, robot)) {
-    if (!best.may_lose_to(angle.bound, {angle.index, 0, 0, 0, 0})) continue;
-    if (result.planes_opened > 0 && !best.has_budget()) {
-      best.gap_bound = std::max(best.gap_bound, angle.bound);
+  Incumbent best{.score = config_.least_score - 1, .max_expansions = config_.max_expansions};
+  begin_with_last(space, robot, best);
+  if (robot && config_.robot_inside)
+    search_around(space, *robot, best);
+  else
+    search_anywhere(space, best);
+  last_.reset();
+  if (best.score < config_.least_score) return std::nullopt;
+  last_ = best.rectangle;
+  return SearchResult{.rectangle = best.rectangle,
+                      .score = best.score,
+                      .walls = space.walls(best.rectangle),
+                      .gap = std::max(0, best.gap_bound - best.score),
+                      .expansions = best.expansions,
+                      .planes_opened = best.planes_opened};
+}
+
+void RectangleSearch::begin_with_last(const HoughSpace& space, const std::optional<Point2>& robot,
+                                      Incumbent& best) const {
+  if (last_ && fits(*last_, space, limits_of(space, last_->alpha, config_, robot)))
+    best.offer(*last_, space.score(*last_));
+}
+
+void RectangleSearch::search_anywhere(const HoughSpace& space, Incumbent& best) {
+  const PlaneLimits limits = limits_of(space, 0, config_, std::nullopt);
+  std::vector<Plane> planes;
+  for (int a = 0; a < space.lattice().angles(); ++a)
+    planes.push_back({bound_of(space, a, limits).total(), a});
+  std::sort(planes.rbegin(), planes.rend());
+  for (const Plane& plane : planes) {
+    if (!best.may_lose_to(plane.bound, {plane.angle, 0, 0, 0, 0})) continue;
+    if (best.planes_opened > 0 && !best.has_budget()) {
+      best.gap_bound = std::max(best.gap_bound, plane.bound);
       break;
     }
-    plane_.build(space, angle.index);
+    plane_.build(space, plane.angle);
     best.expansions += plane_.bins();
-    ++result.planes_opened;
-    search_plane(plane_, space, angle.limits, best);
+    ++best.planes_opened;
+    search_plane(plane_, space, limits, best);
   }
-  if (best.score <= kNever / 2) return std::nullopt;
-  if (plane_.alpha() != best.rectangle.alpha) plane_.build(space, best.rectangle.alpha);
-  result.walls = plane_.walls(best.rectangle);
-  result.rectangle = best.rectangle;
-  result.score = best.score;
-  result.gap = std::max(0, best.gap_bound - best.score);
-  result.expansions = best.expansions;
-  return result;
+}
+
+void RectangleSearch::look_into(const HoughSpace& space, int angle, const HoughSpace::Bins& robot,
+                                const Reaches& reaches, const PlaneLimits& limits, Incumbent& best) {
+  corners_.build(space, angle, robot, reaches);
+  best.expansions += 1 + (reaches.d12 + reaches.d34) * (reaches.d41 + reaches.d23) / 256;
+  ++best.planes_opened;
+  corners_.search(limits, best);
+}
+
+void RectangleSearch::search_around(const HoughSpace& space, const Point2& robot, Incumbent& best) {
+  std::priority_queue<Plane> planes;
+  for (int a = 0; a < space.lattice().angles(); ++a) {
+    const auto bins = space.bins_of(a, robot);
+    const Reaches reaches = reaches_of(space, bins, limits_of(space, a, config_, robot));
+    if (reaches.is_empty()) continue;
+    planes.push({bound_by_sums(space.sums_by_d(a), bins.d, reaches.d12, reaches.d34) +
+                     bound_by_sums(space.sums_by_p(a), bins.p, reaches.d41, reaches.d23),
+                 a, kNever, reaches});
+  }
+  while (!planes.empty()) {
+    const Plane plane = planes.top();
+    planes.pop();
+    if (!best.may_lose_to(plane.bound, {plane.angle, 0, 0, 0, 0})) {
+      if (plane.bound < best.score) return;
+      continue;
+    }
+    if (!best.has_budget()) {
+      best.gap_bound = std::max(best.gap_bound, plane.bound);
+      return;
+    }
+    const auto bins = space.bins_of(plane.angle, robot);
+    const PlaneLimits limits = limits_of(space, plane.angle, config_, robot);
+    if (plane.bounded_at == best.score) {
+      look_into(space, plane.angle, bins, plane.reaches, limits, best);
+      continue;
+    }
+    bounds_.build(space, plane.angle, bins, plane.reaches);
+    best.expansions += 40;
+    if (!best.may_lose_to(bounds_.bound(), {plane.angle, 0, 0, 0, 0})) continue;
+    if (best.score < config_.least_score)
+      look_into(space, plane.angle, bins, bounds_.best_reaches(), limits, best);
+    const Reaches reaches = bounds_.reaches_for(best.score);
+    if (!reaches.is_empty())
+      planes.push({std::min(plane.bound, bounds_.bound()), plane.angle, best.score, reaches});
+  }
 }
 
 }  // namespace enfilade::room_detector

@@ -5,6 +5,8 @@
 #include <array>
 #include <optional>
 
+#include "components/roomDetector/core/corner_bounds.hpp"
+#include "components/roomDetector/core/corner_plane.hpp"
 #include "components/roomDetector/core/hough_plane.hpp"
 #include "components/roomDetector/core/hough_space.hpp"
 
@@ -13,9 +15,9 @@ namespace enfilade::room_detector {
 struct SearchConfig {
   double side_min_m = 1.5;  ///< "a specific rank of w and h" (III-A)
   double side_max_m = 15.0;
-  bool robot_inside = true;  ///< only rectangles with the robot's bin strictly inside count
-  int max_expansions =
-      15'000;  ///< work after which the search gives up proving; 1 = looking once along a line
+  bool robot_inside = true;     ///< only rectangles with the robot's bin strictly inside count
+  int least_score = 1;          ///< what scores less is no room
+  int max_expansions = 15'000;  ///< work after which the search gives up proving, about 1 µs each
 };
 
 struct SearchResult {
@@ -33,15 +35,27 @@ struct SearchResult {
 
 /// argmax H_r (step 3 of the algorithm) over all rectangles of the space within the limits, by branch and
 /// bound. Exact unless it runs into `max_expansions`; of equally good rectangles the lexicographically first.
-/// Empty where no rectangle fits the limits.
+/// Empty where no rectangle fits the limits and scores enough.
+///
+/// The last answer is where the next search begins: while little changes, little is looked at. It does not
+/// change what is found.
 class RectangleSearch {
  public:
   explicit RectangleSearch(const SearchConfig& config);
   std::optional<SearchResult> find_best(const HoughSpace& space, const std::optional<Point2>& robot);
 
  private:
+  void search_anywhere(const HoughSpace& space, Incumbent& best);
+  void search_around(const HoughSpace& space, const Point2& robot, Incumbent& best);
+  void begin_with_last(const HoughSpace& space, const std::optional<Point2>& robot, Incumbent& best) const;
+  void look_into(const HoughSpace& space, int angle, const HoughSpace::Bins& robot, const Reaches& reaches,
+                 const PlaneLimits& limits, Incumbent& best);
+
   SearchConfig config_;
-  HoughPlane plane_;  // kept for its memory
+  std::optional<BinRectangle> last_;
+  HoughPlane plane_;  // these are kept for their memory
+  CornerBounds bounds_;
+  CornerPlane corners_;
 };
 
 }  // namespace enfilade::room_detector

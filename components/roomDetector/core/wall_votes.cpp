@@ -39,7 +39,7 @@ const HoughSpace& WallVotes::update(ColumnMap& map, const WallBand& band, const 
     band_ = band;
     levels_ = band.levels();
     ordinary_ = ordinary;
-    if (!is_same_space) space_.emplace(hough_, origin);
+    if (!is_same_space) space_.emplace(hough_, origin, map.resolution_m());
     for (std::size_t i = 0; i < map.columns().size(); ++i) space_->set(i, vote_of(map, map.columns()[i]));
   }
   space_->set_penalties(penalties(map.resolution_m()));
@@ -58,12 +58,11 @@ Vote WallVotes::vote_of(const ColumnMap& map, const Column& column) const {
 
 Penalties WallVotes::penalties(double resolution_m) const {
   if (!weighs_evidence()) return {};
-  // A bin that a wall runs through holds step / resolution columns of it, and that many times as many free
-  // ones if it is not there.
+  // A bin that a wall runs through holds step / resolution columns of it.
   const double columns = hough_.step_m / resolution_m;
-  return {.per_free = config_.free_weight / std::max(1.0, columns),
+  return {.per_free = config_.free_weight * columns,
           .per_bin = static_cast<int>(std::lround(config_.toll_share * per_cell() * ordinary_ * columns)),
-          .near_bins = static_cast<int>(std::lround(1.0 / columns)),
+          .near_cells = std::max(1, static_cast<int>(std::lround(columns))),
           .contour_bins = static_cast<int>(std::lround(config_.contour_margin_m / hough_.step_m))};
 }
 

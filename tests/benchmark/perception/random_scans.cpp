@@ -57,7 +57,7 @@ grid_builder::ScanLine RoomScans::scan(double roll_rad) {
 }
 
 HoughSpace SearchInput::space(const HoughConfig& config) const {
-  HoughSpace space(config, origin);
+  HoughSpace space(config, origin, 0.05);
   for (std::size_t i = 0; i < votes->size(); ++i) space.set(i, (*votes)[i]);
   space.set_penalties(penalties);
   return space;

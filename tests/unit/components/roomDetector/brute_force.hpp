@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdlib>
-#include <map>
 #include <optional>
 #include <random>
 #include <vector>
@@ -102,55 +101,97 @@ std::optional<Scored> argmax(const HoughSpace& space, const SearchConfig& config
 class DirectPlane {
  public:
   DirectPlane(const HoughSpace& space, int angle) : space_(space) {
-    std::map<std::pair<int, int>, Vote> bins;
-    for (const Vote& vote : space.votes()) {
-      const auto b = space.bins_of(angle, vote.position);
-      if (!space.lattice().holds(b.d) || !space.lattice().holds(b.p)) continue;
-      Vote& sum = bins[{b.d, b.p}];
-      sum.occupied += vote.occupied;
-      sum.free += vote.free;
-      sum.interior += vote.interior;
-    }
     const int n = space.lattice().bins();
     weight_.assign(static_cast<std::size_t>(n * n), 0);
     interior_ = weight_;
-    for (const auto& [bin, sum] : bins) {
-      const auto i = static_cast<std::size_t>(bin.first * n + bin.second);
-      const int charge = static_cast<int>(std::lround(space.penalties().per_free * sum.free));
-      weight_[i] = sum.occupied > 0 ? sum.occupied : is_near_occupied(bins, bin) ? 0 : -charge;
-      interior_[i] = sum.interior;
+    const auto at = space.bin_centres(angle);
+    for (int d = 0; d < n && space.free_map().charges(); ++d) {
+      for (int p = 0; p < n; ++p)
+        weight_[index(d, p)] -= space.free_map().charge_at(at.x_at(d, p), at.y_at(d, p));
+    }
+    for (const Vote& vote : space.votes()) {
+      const auto b = space.bins_of(angle, vote.position);
+      if (!space.lattice().holds(b.d) || !space.lattice().holds(b.p)) continue;
+      weight_[index(b.d, b.p)] += vote.occupied;
+      interior_[index(b.d, b.p)] += vote.interior;
     }
   }
 
+  int weight(int d, int p) const { return weight_[index(d, p)]; }
+
   /// Walks along the contour and over the inside.
   int score(const BinRectangle& r) const {
-    const int n = space_.lattice().bins();
     int sum = 0;
     for (int d = r.d12; d <= r.d34; ++d) {
       for (int p = r.d41; p <= r.d23; ++p) {
         const bool on_contour = d == r.d12 || d == r.d34 || p == r.d41 || p == r.d23;
-        const auto i = static_cast<std::size_t>(d * n + p);
         const int depth = std::min(std::min(d - r.d12, r.d34 - d), std::min(p - r.d41, r.d23 - p));
-        if (on_contour) sum += weight_[i] - space_.penalties().per_bin;
-        if (depth > space_.penalties().contour_bins) sum -= interior_[i];
+        if (on_contour) sum += weight(d, p) - space_.penalties().per_bin;
+        if (depth > space_.penalties().contour_bins) sum -= interior_[index(d, p)];
       }
     }
     return sum;
   }
 
  private:
-  using Bin = std::pair<int, int>;
-
-  bool is_near_occupied(const std::map<Bin, Vote>& bins, const Bin& bin) const {
-    const int reach = space_.penalties().near_bins;
-    return std::any_of(bins.begin(), bins.end(), [&](const auto& other) {
-      return other.second.occupied > 0 && std::abs(other.first.first - bin.first) <= reach &&
-             std::abs(other.first.second - bin.second) <= reach;
-    });
-  }
+  std::size_t index(int d, int p) const { return static_cast<std::size_t>(d * space_.lattice().bins() + p); }
 
   const HoughSpace& space_;
   std::vector<int> weight_, interior_;
+};
+
+/// O(A N² W): every pair (d12, d34) of every plane with its line search, and no bounds.
+class Exhaustion {
+ public:
+  Exhaustion(const HoughSpace& space, const SearchConfig& config, const std::optional<Point2>& robot)
+      : space_(space), config_(config), robot_(robot) {}
+
+  std::optional<Scored> argmax() {
+    for (int a = 0; a < space_.lattice().angles(); ++a) {
+      plane_.build(space_, a);
+      const WindowLimits d = limits(robot_ ? space_.bins_of(a, *robot_).d : -1);
+      for (int d12 = 0; d12 < plane_.bins() && d12 <= d.last_first; ++d12) {
+        for (int d34 = std::max(d12 + d.min_gap, d.first_second);
+             d34 < plane_.bins() && d34 <= d12 + d.max_gap; ++d34)
+          search_lines(d12, d34, limits(robot_ ? space_.bins_of(a, *robot_).p : -1));
+      }
+    }
+    return best_;
+  }
+
+ private:
+  WindowLimits limits(int robot) const {
+    const double step = space_.lattice().step_m();
+    WindowLimits limits{.min_gap = std::max(1, static_cast<int>(std::ceil(config_.side_min_m / step - 1e-9))),
+                        .max_gap = static_cast<int>(std::floor(config_.side_max_m / step + 1e-9))};
+    if (robot_) limits.last_first = robot - 1;
+    if (robot_) limits.first_second = robot + 1;
+    return limits;
+  }
+  void search_lines(int d12, int d34, const WindowLimits& limits) {
+    const HoughPlane& h = plane_;
+    const int toll = 2 * h.toll();
+    const Window w = best_window(
+        h.bins(), limits,
+        [&](int p) {
+          return -h.along_p(d12, p) - h.along_p(d34, p + 1) + h.along_d(d34 + 1, p) - h.along_d(d12 + 1, p) +
+                 h.interior_above(d12, d34, p) + toll * p;
+        },
+        [&](int p) {
+          return h.along_p(d12, p) + h.along_p(d34, p + 1) + h.along_d(d34, p) - h.along_d(d12, p) -
+                 h.interior_below(d12, d34, p) - toll * p;
+        });
+    if (w.first < 0) return;
+    const BinRectangle r{h.alpha(), d12, d34, w.first, w.second};
+    const int score = h.score(r);
+    if (!best_ || score > best_->score) best_ = Scored{r, score};
+  }
+
+  const HoughSpace& space_;
+  SearchConfig config_;
+  std::optional<Point2> robot_;
+  HoughPlane plane_;
+  std::optional<Scored> best_;
 };
 
 /// Random worlds: rooms with walls, clutter and noise, or nothing but noise.
