@@ -9,192 +9,236 @@ namespace {
 
 constexpr int kBlock = CornerBounds::kBlock;
 
-int blocks_of(int lines) { return (lines + kBlock - 1) / kBlock; }
 std::size_t at(int row, int columns, int column) {
   return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
+}
+
+int most_of(const std::vector<int>& values) { return *std::max_element(values.begin(), values.end()); }
+
+int most_of_sum(const int* a, const int* b, int count) {
+  int most = kNever;
+  for (int i = 0; i < count; ++i) most = a[i] + b[i] > most ? a[i] + b[i] : most;
+  return most;
+}
+
+/// to[i] = max(to[i], from[i])
+void raise(int* to, const int* from, int count) {
+  for (int i = 0; i < count; ++i) to[i] = from[i] > to[i] ? from[i] : to[i];
 }
 
 }  // namespace
 
 void CornerBounds::build(const HoughSpace& space, int angle, const HoughSpace::Bins& robot,
-                         const Reaches& reaches) {
-  const int lines[] = {reaches.d12, reaches.d34, reaches.d41, reaches.d23};
-  for (int s = 0; s < 4; ++s) {
-    sides_[s].lines = lines[s];
-    sides_[s].blocks = blocks_of(lines[s]);
-  }
-  for (int s = 0; s < 4; ++s) {
-    for (int half = 0; half < 2; ++half) {
-      const int along = sides_[s < 2 ? 2 + half : half].blocks;
-      sides_[s].strips[half].assign(at(along, sides_[s].lines, 0), 0);
-    }
-  }
-  for (int d = 0; d < 2; ++d) {
-    for (int p = 0; p < 2; ++p)
-      inside_[d][p].assign(at(sides_[d].blocks + 1, sides_[2 + p].blocks + 1, 0), 0);
-  }
+                         const Reaches& reaches, int score) {
+  lay_out(space, robot, reaches);
   cast(space, angle, robot);
   for (int s = 0; s < 4; ++s) {
     for (int half = 0; half < 2; ++half)
-      sum_strips(sides_[s], half, sides_[s < 2 ? 2 + half : half].blocks, space.penalties().per_bin);
+      sum_strips(sides_[s], half, blocks_along(s, half), space.penalties().per_bin);
   }
-  if (space.free_map().charges())
-    space.free_map().erode((0.5 * kBlock + 1.0) * std::sqrt(2.0) * space.lattice().step_m());
+  // No bin of a block is farther from its middle, and walls that begin beside the axis are one bin farther.
+  space.free_map().erode((0.5 * kBlock + 1.0) * std::sqrt(2.0) * space.lattice().step_m());
   for (int d = 0; d < 2; ++d) {
-    for (int p = 0; p < 2; ++p) add_quadrant(space, angle, robot, d, p);
+    for (int p = 0; p < 2; ++p) add_corners(space, angle, robot, d, p);
   }
-  combine();
+  bound_sides();
+  if (bound_ >= score) bound_pairs(score);
+}
+
+void CornerBounds::lay_out(const HoughSpace& space, const HoughSpace::Bins& robot, const Reaches& reaches) {
+  const int lines[] = {reaches.d12, reaches.d34, reaches.d41, reaches.d23};
+  for (int s = 0; s < 4; ++s) {
+    sides_[s].lines = lines[s];
+    sides_[s].blocks = (lines[s] + kBlock - 1) / kBlock;
+  }
+  int size = 0;
+  for (int s = 0; s < 4; ++s) {
+    for (int half = 0; half < 2; ++half) {
+      sides_[s].strips[half] = size;
+      size += sides_[s].blocks * kBlock * blocks_along(s, half);
+    }
+  }
+  strips_.assign(static_cast<std::size_t>(size), 0);
+  const int bins = space.lattice().bins();
+  lay_out_lines(0, bins, robot.d);
+  lay_out_lines(1, bins, robot.p);
+  for (int s = 0; s < 4; ++s) lay_out_along(s, bins, s < kD41 ? robot.p : robot.d);
+  for (int d = 0; d < 2; ++d) {
+    for (int p = 0; p < 2; ++p)
+      inside_[d][p].assign(at(sides_[d].blocks + 1, sides_[kD41 + p].blocks + 1, 0), 0);
+  }
+}
+
+/// In a strip, the first lines of all blocks come first, then the second lines, and so on.
+void CornerBounds::lay_out_lines(int axis, int bins, int robot) {
+  line_[axis].assign(static_cast<std::size_t>(bins), -1);
+  for (int b = 0; b < bins; ++b) {
+    const Side& side = sides_[2 * axis + (b > robot)];
+    const int line = std::abs(b - robot) - 1;
+    if (line >= 0 && line < side.lines)
+      line_[axis][static_cast<std::size_t>(b)] = line % kBlock * side.blocks + line / kBlock;
+  }
+}
+
+/// Going round, each wall has its first corner and not its last, and each half of one likewise: the bin on
+/// the axis belongs to one of the halves.
+void CornerBounds::lay_out_along(int s, int bins, int robot) {
+  const Side& side = sides_[s];
+  const int first_behind = s == kD12 || s == kD23 ? robot : robot + 1;
+  along_[s].assign(static_cast<std::size_t>(bins), -1);
+  for (int b = 0; b < bins; ++b) {
+    const int half = b >= first_behind, distance = half ? b - first_behind : first_behind - 1 - b;
+    if (distance / kBlock < blocks_along(s, half))
+      along_[s][static_cast<std::size_t>(b)] = side.strips[half] + distance / kBlock * side.blocks * kBlock;
+  }
 }
 
 void CornerBounds::cast(const HoughSpace& space, int angle, const HoughSpace::Bins& robot) {
-  const int margin = space.penalties().contour_bins;
+  const int bins = space.lattice().bins();
+  const int *line_d = line_[0].data(), *line_p = line_[1].data();
   for (const HoughSpace::WallVote& vote : space.wall_votes()) {
     const HoughSpace::Bins b = space.bins_at(angle, vote.x_m, vote.y_m);
-    if (!space.lattice().holds(b.d) || !space.lattice().holds(b.p)) continue;
-    const int d = b.d - robot.d, p = b.p - robot.p;
-    // Going round, each wall has its first corner and not its last; so has each half of one at its axis.
-    if (d < 0) cast_on_lines(sides_[kD12], -1 - d, p < 0 ? -1 - p : p, p >= 0, vote.occupied);
-    if (d > 0) cast_on_lines(sides_[kD34], d - 1, p > 0 ? p - 1 : -p, p > 0, vote.occupied);
-    if (p < 0) cast_on_lines(sides_[kD41], -1 - p, d > 0 ? d - 1 : -d, d > 0, vote.occupied);
-    if (p > 0) cast_on_lines(sides_[kD23], p - 1, d < 0 ? -1 - d : d, d >= 0, vote.occupied);
-    if (vote.interior == 0 || std::abs(d) <= margin || std::abs(p) <= margin) continue;
-    // Inside from the first line on that is more than the margin farther out.
-    const int d_side = d > 0, p_side = p > 0;
-    const int d_block = (std::abs(d) + margin + kBlock - 1) / kBlock,
-              p_block = (std::abs(p) + margin + kBlock - 1) / kBlock;
-    if (d_block <= sides_[d_side].blocks && p_block <= sides_[2 + p_side].blocks)
-      inside_[d_side][p_side][at(d_block, sides_[2 + p_side].blocks + 1, p_block)] += vote.interior;
+    if (static_cast<unsigned>(b.d) >= static_cast<unsigned>(bins) ||
+        static_cast<unsigned>(b.p) >= static_cast<unsigned>(bins))
+      continue;
+    const int d = line_d[b.d], along_p = along_[b.d > robot.d ? kD34 : kD12][static_cast<std::size_t>(b.p)];
+    if ((d | along_p) >= 0) strips_[static_cast<std::size_t>(d + along_p)] += vote.occupied;
+    const int p = line_p[b.p], along_d = along_[b.p > robot.p ? kD23 : kD41][static_cast<std::size_t>(b.d)];
+    if ((p | along_d) >= 0) strips_[static_cast<std::size_t>(p + along_d)] += vote.occupied;
+    if (vote.interior != 0) cast_inside(space, b.d - robot.d, b.p - robot.p, vote.interior);
   }
 }
 
-void CornerBounds::cast_on_lines(Side& side, int line, int other_distance, bool is_behind, int count) {
-  if (line >= side.lines) return;
-  auto& strips = side.strips[is_behind];
-  const std::size_t i = at(other_distance / kBlock, side.lines, line);
-  if (i < strips.size()) strips[i] += count;
+/// A vote is inside from the first line on that is more than the margin farther out.
+void CornerBounds::cast_inside(const HoughSpace& space, int d, int p, int count) {
+  const int margin = space.penalties().contour_bins;
+  if (std::abs(d) <= margin || std::abs(p) <= margin) return;  // may be at the contour on the other side
+  const int d_block = (std::abs(d) + margin + kBlock - 1) / kBlock,
+            p_block = (std::abs(p) + margin + kBlock - 1) / kBlock;
+  const int columns = sides_[kD41 + (p > 0)].blocks;
+  if (d_block < sides_[d > 0].blocks && p_block < columns)
+    inside_[d > 0][p > 0][at(d_block, columns + 1, p_block)] += count;
 }
 
-/// walls(m, n): the most that a line of block m holds up to the far end of block n along, less the toll up to
+/// walls(n, m): the most that a line of block m holds up to the far end of block n along, less the toll up to
 /// the near end.
 void CornerBounds::sum_strips(Side& side, int half, int blocks_along, int toll) {
-  auto& strips = side.strips[half];
+  const int width = side.blocks * kBlock;
+  int* strip = strips_.data() + side.strips[half];
   auto& walls = side.walls[half];
-  walls.resize(at(side.blocks, blocks_along, 0));
-  for (int n = 0; n < blocks_along; ++n) {
-    int* strip = strips.data() + at(n, side.lines, 0);
-    if (n > 0) {
-      const int* before = strip - side.lines;
-      for (int i = 0; i < side.lines; ++i) strip[i] += before[i];
-    }
-    for (int m = 0; m < side.blocks; ++m) {
-      const int last = std::min(side.lines, (m + 1) * kBlock);
-      int most = strip[m * kBlock];
-      for (int i = m * kBlock + 1; i < last; ++i) most = strip[i] > most ? strip[i] : most;
-      walls[at(m, blocks_along, n)] = most - toll * (n * kBlock + 1);
-    }
+  walls.assign(at(blocks_along, side.blocks, 0), kNever);
+  for (int n = 0; n < blocks_along; ++n, strip += width) {
+    for (int i = 0; n > 0 && i < width; ++i) strip[i] += strip[i - width];
+    int* most = walls.data() + at(n, side.blocks, 0);
+    for (int line = 0; line < kBlock; ++line) raise(most, strip + line * side.blocks, side.blocks);
+    for (int m = 0; m < side.blocks; ++m) most[m] -= toll * (n * kBlock + 1);
   }
 }
 
-void CornerBounds::add_quadrant(const HoughSpace& space, int angle, const HoughSpace::Bins& robot, int d_side,
-                                int p_side) {
-  const Side &d = sides_[d_side], &p = sides_[2 + p_side];
+void CornerBounds::add_corners(const HoughSpace& space, int angle, const HoughSpace::Bins& robot, int d_side,
+                               int p_side) {
+  const Side &d = sides_[d_side], &p = sides_[kD41 + p_side];
   auto& corners = corners_[d_side][p_side];
-  auto& inside = inside_[d_side][p_side];
   corners.resize(at(d.blocks, p.blocks, 0));
-  line_d_.assign(static_cast<std::size_t>(p.blocks + 1), 0);  // interior votes of rows up to m, by column
-  line_p_.assign(static_cast<std::size_t>(p.blocks), 0);      // charges on p lines up to block m
-  const bool charges = space.free_map().charges();
+  votes_before_.assign(static_cast<std::size_t>(p.blocks), 0);    // by column: inside, in rows up to this one
+  charges_before_.assign(static_cast<std::size_t>(p.blocks), 0);  // and charges in the rows before
+  const FreeMap& free = space.free_map();
   const HoughSpace::BinCentres centres = space.bin_centres(angle);
-  const int d_way = d_side ? 1 : -1, p_way = p_side ? 1 : -1;
+  const int last = space.lattice().bins() - 1;
   for (int m = 0; m < d.blocks; ++m) {
     int votes = 0, charge_d = 0;
+    const int away = m * kBlock + kBlock / 2, bin_d = std::clamp(robot.d + (d_side ? away : -away), 0, last);
     for (int n = 0; n < p.blocks; ++n) {
-      line_d_[static_cast<std::size_t>(n)] += inside[at(m, p.blocks + 1, n)];
-      votes += line_d_[static_cast<std::size_t>(n)];
-      int& charge_p = line_p_[static_cast<std::size_t>(n)];
-      corners[at(m, p.blocks, n)] = d.walls[p_side][at(m, p.blocks, n)] +
-                                    p.walls[d_side][at(n, d.blocks, m)] - votes - charge_d - charge_p;
-      if (!charges) continue;
-      const int bin_d = robot.d + d_way * (m * kBlock + kBlock / 2),
-                bin_p = robot.p + p_way * (n * kBlock + kBlock / 2);
-      if (bin_d < 0 || bin_p < 0 || bin_d >= space.lattice().bins() || bin_p >= space.lattice().bins())
-        continue;
-      const int least =
-          kBlock * space.free_map().least_near(centres.x_at(bin_d, bin_p), centres.y_at(bin_d, bin_p));
+      const auto column = static_cast<std::size_t>(n);
+      votes += votes_before_[column] += inside_[d_side][p_side][at(m, p.blocks + 1, n)];
+      corners[at(m, p.blocks, n)] = d.walls[p_side][at(n, d.blocks, m)] + p.walls[d_side][at(m, p.blocks, n)] -
+                                    votes - charge_d - charges_before_[column];
+      if (!free.charges()) continue;
+      const int across = n * kBlock + kBlock / 2, bin_p = std::clamp(robot.p + (p_side ? across : -across), 0, last);
+      const int least = kBlock * free.least_near(centres.x_at(bin_d, bin_p), centres.y_at(bin_d, bin_p));
       charge_d += least;
-      charge_p += least;
+      charges_before_[column] += least;
     }
   }
 }
 
-/// Every pair of blocks of d₁₂ and d₃₄ with the best block of d₄₁ and the best of d₂₃.
-void CornerBounds::combine() {
-  const auto& [d12, d34, d41, d23] = sides_;
-  for (int s = 0; s < 4; ++s) best_with_[s].assign(static_cast<std::size_t>(sides_[s].blocks), kNever);
-  bound_ = kNever;
-  // Best of the corners with each line of p, over all pairs of lines of d: a bound for lines of p.
-  std::array<std::vector<int>, 2> by_p;
-  std::array<int, 2> most_p{};
+/// What a block of lines can be part of, whatever the other three sides are: the best two corners on it and
+/// the best two on any line opposite.
+void CornerBounds::bound_sides() {
   for (int half = 0; half < 2; ++half) {
-    const int n = sides_[2 + half].blocks;
-    by_p[half].assign(static_cast<std::size_t>(n), kNever);
-    std::vector<int> other(static_cast<std::size_t>(n), kNever);
-    for (int side = 0; side < 2; ++side) {
-      auto& most = side == 0 ? by_p[half] : other;
-      for (int m = 0; m < sides_[side].blocks; ++m) {
-        const int* row = corners_[side][half].data() + at(m, n, 0);
-        for (int k = 0; k < n; ++k) most[k] = row[k] > most[k] ? row[k] : most[k];
+    Side &d = sides_[half], &p = sides_[kD41 + half];
+    d.most.assign(static_cast<std::size_t>(d.blocks), 0);
+    for (int m = 0; m < d.blocks; ++m) {
+      for (int other = 0; other < 2; ++other) {
+        const int n = sides_[kD41 + other].blocks;
+        const int* row = corners_[half][other].data() + at(m, n, 0);
+        d.most[static_cast<std::size_t>(m)] += *std::max_element(row, row + n);
       }
     }
-    for (int k = 0; k < n; ++k) by_p[half][k] += other[k];
-    most_p[half] = *std::max_element(by_p[half].begin(), by_p[half].end());
+    std::vector<int> of_row(static_cast<std::size_t>(p.blocks));
+    p.most.assign(of_row.size(), 0);
+    for (int other = 0; other < 2; ++other) {
+      std::fill(of_row.begin(), of_row.end(), kNever);
+      for (int m = 0; m < sides_[other].blocks; ++m)
+        raise(of_row.data(), corners_[other][half].data() + at(m, p.blocks, 0), p.blocks);
+      for (std::size_t n = 0; n < of_row.size(); ++n) p.most[n] += of_row[n];
+    }
   }
-  for (int half = 0; half < 2; ++half) {
-    for (std::size_t k = 0; k < by_p[half].size(); ++k)
-      best_with_[2 + half][k] = by_p[half][k] + most_p[1 - half];
+  const std::array<int, 4> most{most_of(sides_[0].most), most_of(sides_[1].most), most_of(sides_[2].most),
+                                most_of(sides_[3].most)};
+  bound_ = std::min(most[kD12] + most[kD34], most[kD41] + most[kD23]);
+  for (int s = 0; s < 4; ++s) {
+    for (int& value : sides_[s].most) value += most[s ^ 1];
   }
-  for (int i = 0; i < d12.blocks; ++i) {
-    for (int l = 0; l < d34.blocks; ++l) {
+}
+
+/// Every pair of blocks of d₁₂ and d₃₄ that may hold `score`, with the best block of d₄₁ and the best of d₂₃.
+void CornerBounds::bound_pairs(int score) {
+  const int opposite = most_of(sides_[kD12].most);  // the bound of all pairs
+  std::array<int, 2> lines{};
+  const int before = bound_;
+  bound_ = kNever;
+  for (int i = 0; i < sides_[kD12].blocks; ++i) {
+    if (sides_[kD12].most[static_cast<std::size_t>(i)] < score) continue;
+    for (int l = 0; l < sides_[kD34].blocks; ++l) {
+      const int by_sides =
+          sides_[kD12].most[static_cast<std::size_t>(i)] + sides_[kD34].most[static_cast<std::size_t>(l)] - opposite;
+      if (by_sides < score) continue;
       int sum = 0;
-      std::array<int, 2> where{};
       for (int half = 0; half < 2; ++half) {
-        const int n = sides_[2 + half].blocks;
-        const int* left = corners_[0][half].data() + at(i, n, 0);
-        const int* right = corners_[1][half].data() + at(l, n, 0);
-        int most = kNever;
-        for (int k = 0; k < n; ++k) most = left[k] + right[k] > most ? left[k] + right[k] : most;
-        sum += most;
+        const int n = sides_[kD41 + half].blocks;
+        sum += most_of_sum(corners_[0][half].data() + at(i, n, 0), corners_[1][half].data() + at(l, n, 0), n);
       }
-      best_with_[0][static_cast<std::size_t>(i)] = std::max(best_with_[0][static_cast<std::size_t>(i)], sum);
-      best_with_[1][static_cast<std::size_t>(l)] = std::max(best_with_[1][static_cast<std::size_t>(l)], sum);
+      if (sum >= score) lines = {std::max(lines[0], i + 1), std::max(lines[1], l + 1)};
       if (sum <= bound_) continue;
       bound_ = sum;
-      for (int half = 0; half < 2; ++half) {
-        const int n = sides_[2 + half].blocks;
-        int most = kNever;
-        for (int k = 0; k < n; ++k) {
-          const int both = corners_[0][half][at(i, n, k)] + corners_[1][half][at(l, n, k)];
-          if (both <= most) continue;
-          most = both;
-          where[half] = k;
-        }
-      }
-      best_ = {(i + 1) * kBlock, (l + 1) * kBlock, (where[0] + 1) * kBlock, (where[1] + 1) * kBlock};
+      best_ = {i, l, 0, 0};
     }
   }
-  best_ = {std::min(best_.d12, d12.lines), std::min(best_.d34, d34.lines), std::min(best_.d41, d41.lines),
-           std::min(best_.d23, d23.lines)};
+  bound_ = std::min(bound_, before);
+  if (bound_ < score) return;
+  best_.d41 = best_block(best_.d12, best_.d34, 0);
+  best_.d23 = best_block(best_.d12, best_.d34, 1);
+  const auto out_to = [&](int s, int block) { return std::min(sides_[s].lines, (block + 1) * kBlock); };
+  best_ = {out_to(kD12, best_.d12), out_to(kD34, best_.d34), out_to(kD41, best_.d41), out_to(kD23, best_.d23)};
+  const auto farthest = [&](int s) {
+    int block = sides_[s].blocks - 1;
+    while (block >= 0 && sides_[s].most[static_cast<std::size_t>(block)] < score) --block;
+    return out_to(s, block);
+  };
+  reaches_ = {out_to(kD12, lines[0] - 1), out_to(kD34, lines[1] - 1), farthest(kD41), farthest(kD23)};
 }
 
-Reaches CornerBounds::reaches_for(int score) const {
-  std::array<int, 4> lines{};
-  for (int s = 0; s < 4; ++s) {
-    for (int m = 0; m < sides_[s].blocks; ++m) {
-      if (best_with_[s][static_cast<std::size_t>(m)] >= score)
-        lines[s] = std::min(sides_[s].lines, (m + 1) * kBlock);
-    }
+int CornerBounds::best_block(int d12, int d34, int half) const {
+  const int n = sides_[kD41 + half].blocks;
+  int best = 0, most = kNever;
+  for (int k = 0; k < n; ++k) {
+    const int both = corners_[0][half][at(d12, n, k)] + corners_[1][half][at(d34, n, k)];
+    if (both <= most) continue;
+    most = both;
+    best = k;
   }
-  return {lines[0], lines[1], lines[2], lines[3]};
+  return best;
 }
 
 }  // namespace enfilade::room_detector

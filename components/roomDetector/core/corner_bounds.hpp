@@ -27,38 +27,49 @@ class CornerBounds {
  public:
   static constexpr int kBlock = 8;
 
-  /// Prepares the bounds of one plane for lines within `reaches`.
-  void build(const HoughSpace& space, int angle, const HoughSpace::Bins& robot, const Reaches& reaches);
+  /// Prepares the bounds of one plane for lines within `reaches`, as far as it takes to tell whether it holds
+  /// `score`.
+  void build(const HoughSpace& space, int angle, const HoughSpace::Bins& robot, const Reaches& reaches,
+             int score);
 
   /// No rectangle of the plane scores more.
   int bound() const { return bound_; }
-  /// Lines farther out than this are no part of a rectangle that scores `score` or more.
-  Reaches reaches_for(int score) const;
+  /// Lines farther out than this are no part of a rectangle with the score that was asked for.
+  Reaches reaches() const { return reaches_; }
   /// The lines out to the best blocks: a good place to look first.
   Reaches best_reaches() const { return best_; }
 
  private:
+  enum { kD12, kD34, kD41, kD23 };
+
   /// The lines on one side of the robot, with their votes on both sides of its other axis.
   struct Side {
     int lines = 0, blocks = 0;
-    std::array<std::vector<int>, 2> strips;  // [before or behind the axis], by block along, then by line
-    std::array<std::vector<int>, 2> walls;   // most of any line, by block of lines, then block along
+    std::array<int, 2> strips{};            // where those before and behind the axis begin in strips_
+    std::array<std::vector<int>, 2> walls;  // most of any line: by block along, then block of lines
+    std::vector<int> most;                  // over all rectangles with a line of the block
   };
-  enum { kD12, kD34, kD41, kD23 };
 
+  void lay_out(const HoughSpace& space, const HoughSpace::Bins& robot, const Reaches& reaches);
+  void lay_out_lines(int axis, int bins, int robot);
+  void lay_out_along(int side, int bins, int robot);
   void cast(const HoughSpace& space, int angle, const HoughSpace::Bins& robot);
-  void cast_on_lines(Side& side, int line, int other_distance, bool is_behind, int count);
+  void cast_inside(const HoughSpace& space, int d, int p, int count);
   void sum_strips(Side& side, int half, int blocks_along, int toll);
-  void add_quadrant(const HoughSpace& space, int angle, const HoughSpace::Bins& robot, int d_side,
-                    int p_side);
-  void combine();
+  void add_corners(const HoughSpace& space, int angle, const HoughSpace::Bins& robot, int d_side, int p_side);
+  int blocks_along(int side, int half) const { return sides_[side < kD41 ? kD41 + half : half].blocks; }
+  void bound_sides();
+  void bound_pairs(int score);
+  int best_block(int d12, int d34, int half) const;
 
   std::array<Side, 4> sides_;
+  std::vector<int> strips_;
+  std::array<std::vector<int>, 2> line_;                    // by axis: of each bin, its place in a strip
+  std::array<std::vector<int>, 4> along_;                   // by side: of each bin across, its strip
   std::array<std::array<std::vector<int>, 2>, 2> inside_;   // by quadrant: interior votes by block
   std::array<std::array<std::vector<int>, 2>, 2> corners_;  // by quadrant: bounds by block of d, block of p
-  std::vector<int> pair_, line_d_, line_p_;
-  std::array<std::vector<int>, 4> best_with_;  // the most with a line of each block, by side
-  Reaches best_;
+  std::vector<int> votes_before_, charges_before_;
+  Reaches best_, reaches_;
   int bound_ = 0;
 };
 

@@ -154,14 +154,13 @@ void RectangleSearch::search_around(const HoughSpace& space, const Point2& robot
       look_into(space, plane.angle, bins, plane.reaches, limits, best);
       continue;
     }
-    bounds_.build(space, plane.angle, bins, plane.reaches);
+    const int score = best.score;
+    bounds_.build(space, plane.angle, bins, plane.reaches, score);
     best.expansions += 40;
     if (!best.may_lose_to(bounds_.bound(), {plane.angle, 0, 0, 0, 0})) continue;
     if (best.score < config_.least_score)
       look_into(space, plane.angle, bins, bounds_.best_reaches(), limits, best);
-    const Reaches reaches = bounds_.reaches_for(best.score);
-    if (!reaches.is_empty())
-      planes.push({std::min(plane.bound, bounds_.bound()), plane.angle, best.score, reaches});
+    planes.push({bounds_.bound(), plane.angle, score, bounds_.reaches()});
   }
 }
 

@@ -9,8 +9,6 @@
 namespace enfilade::room_detector {
 namespace {
 
-constexpr double kFineCell_m = 0.01;  // of the returns that tell where a jamb is
-
 /// The Hough space is centred on the robot, to the metre, so that rooms far from the zone's origin lie in it
 /// and votes need not be cast anew while the robot turns about.
 Point2 origin_near(const std::optional<Pose2>& T_zone_base) {
@@ -37,7 +35,9 @@ RoomDetector::RoomDetector(const RoomDetectorConfig& config)
       votes_(config.votes, config.hough),
       search_(config.search),
       fitter_(config.fit),
-      door_finder_(config.door_finder) {
+      door_finder_(config.door_finder),
+      joint_fitter_(config.joint, config.fit),
+      stands_(config.stands) {
   const double step = config.hough.step_m;
   if (config.search.side_min_m < (2.0 * std::round(config.votes.contour_margin_m / step) + 1.0) * step)
     throw std::invalid_argument("side_min_m must be more than twice contour_margin_m, and a step more");
@@ -46,26 +46,12 @@ RoomDetector::RoomDetector(const RoomDetectorConfig& config)
 void RoomDetector::clear(double resolution_m) {
   map_.clear(resolution_m);
   votes_.clear();
-  hits_.clear();
-  fine_hits_.clear();
-  recent_hits_.clear();
-  recent_pose_.reset();
+  stands_.clear();
 }
 
 void RoomDetector::update(const GridChange& change) { map_.apply(change.cells); }
 
-void RoomDetector::add_hits(const ScanHits& hits) {
-  const Pose2 moved = recent_pose_ ? recent_pose_->inverse() * hits.T_zone_base : Pose2{};
-  const bool stood_still = recent_pose_ && moved.translation().norm() <= config_.recent_move_m &&
-                           std::abs(wrap_to_pi(moved.yaw_rad)) <= radians(config_.recent_turn_deg);
-  if (!stood_still) {
-    recent_hits_.clear();
-    recent_pose_ = hits.T_zone_base;
-  }
-  hits_.add(hits.hits, map_.resolution_m());
-  fine_hits_.add(hits.hits, map_.resolution_m(), kFineCell_m);
-  recent_hits_.add(hits.hits, map_.resolution_m());
-}
+void RoomDetector::add_hits(const ScanHits& hits) { stands_.add(hits, map_.resolution_m()); }
 
 Detection RoomDetector::estimate(const std::optional<Pose2>& T_zone_base) {
   Detection d;
@@ -85,11 +71,23 @@ Detection RoomDetector::estimate(const std::optional<Pose2>& T_zone_base) {
   return d;
 }
 
-std::vector<WallPoint> RoomDetector::wall_points(const WallBand& band) const {
-  auto points = hits_.points(band);
+/// Those in the room, if there are any: what was seen from elsewhere may be the other face of a wall.
+std::vector<std::size_t> RoomDetector::stands_in(const Rectangle& room) const {
+  std::vector<std::size_t> inside, all;
+  for (std::size_t i = 0; i < stands_.all().size(); ++i) {
+    all.push_back(i);
+    if (room.contains(stands_.all()[i].T_zone_base.translation())) inside.push_back(i);
+  }
+  return inside.empty() ? all : inside;
+}
+
+std::vector<WallPoint> RoomDetector::cells_far_from(const std::vector<StandPoints>& stands,
+                                                    const WallBand& band) const {
   Columns columns_hit;
-  for (const WallPoint& point : points) columns_hit.insert(map_.find(point.position));
+  for (const StandPoints& stand : stands)
+    for (const WallPoint& point : stand.points) columns_hit.insert(map_.find(point.position));
   const Levels levels = band.levels();
+  std::vector<WallPoint> points;
   for (const Column& column : map_.columns()) {
     const auto occupied = (column.occupied & levels).count();
     if (occupied > 0 && !is_beside(columns_hit, map_, column))
@@ -98,16 +96,34 @@ std::vector<WallPoint> RoomDetector::wall_points(const WallBand& band) const {
   return points;
 }
 
-std::vector<WallPoint> RoomDetector::door_hits() const {
-  const double r = map_.resolution_m();
-  return fine_hits_.points(level_of(config_.door_finder.band_from_m, r),
-                           level_of(config_.door_finder.band_to_m, r));
+std::vector<WallPoint> RoomDetector::door_hits(const Detection& d) const {
+  std::vector<WallPoint> hits;
+  for (std::size_t i = 0; i < stands_.all().size(); ++i) {
+    const auto& corrections = d.diagnostics.corrections;
+    const Pose2 correction = i < corrections.size() ? corrections[i] : Pose2{};
+    for (WallPoint point : stands_.all()[i].fine_hits.points(0, kLevels + 1)) {
+      point.position = correction * point.position;
+      hits.push_back(point);
+    }
+  }
+  return hits;
 }
 
 void RoomDetector::refine(Detection& d, const WallBand& band) const {
   const double reach = 1.5 * std::max(config_.hough.step_m, map_.resolution_m());
-  d.diagnostics.fit = fitter_.fit(wall_points(band), d.diagnostics.coarse, reach);
-  if (!d.diagnostics.fit) return;
+  const auto inside = stands_in(d.diagnostics.coarse);
+  std::vector<StandPoints> stands;
+  for (const std::size_t i : inside)
+    stands.push_back({stands_.all()[i].T_zone_base, stands_.wall_points(stands_.all()[i], band)});
+  const auto cells = cells_far_from(stands, band);
+  if (stands.empty()) stands.emplace_back();
+  stands.front().points.insert(stands.front().points.end(), cells.begin(), cells.end());
+  const auto joint = joint_fitter_.fit(stands, d.diagnostics.coarse, reach);
+  if (!joint) return;
+  d.diagnostics.fit = joint->room;
+  d.diagnostics.corrections.resize(stands_.all().size());
+  for (std::size_t i = 0; i < inside.size(); ++i)
+    d.diagnostics.corrections[inside[i]] = joint->corrections[i];
   const RectangleFit& fit = *d.diagnostics.fit;
   const auto canonical_fit = canonical(fit.rectangle);
   d.estimate.rectangle = canonical_fit.rectangle;
@@ -121,7 +137,7 @@ void RoomDetector::refine(Detection& d, const WallBand& band) const {
 }
 
 void RoomDetector::find_doors(Detection& d, const HoughSpace& space) const {
-  WallGaps gaps = door_finder_.find(map_, d.estimate.rectangle, door_hits());
+  WallGaps gaps = door_finder_.find(map_, d.estimate.rectangle, door_hits(d));
   d.estimate.unexplored_wall_share = gaps.unexplored_share;
   if (config_.doors == DoorMethod::kEvidence) {
     d.estimate.doors = std::move(gaps.doors);
@@ -134,9 +150,9 @@ void RoomDetector::find_doors(Detection& d, const HoughSpace& space) const {
 }
 
 void RoomDetector::fit_recent(Detection& d, const WallBand& band) const {
-  if (recent_hits_.empty()) return;
-  d.diagnostics.recent_fit =
-      fitter_.fit_pose(recent_hits_.points(band), d.estimate.rectangle, config_.fit.first_gate_m);
+  if (stands_.empty()) return;
+  d.diagnostics.recent_fit = fitter_.fit_pose(stands_.wall_points(stands_.all().back(), band),
+                                              d.estimate.rectangle, config_.joint.reach_m);
   if (d.diagnostics.recent_fit) d.estimate.recent = d.diagnostics.recent_fit->rectangle;
 }
 

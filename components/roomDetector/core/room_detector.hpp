@@ -5,9 +5,11 @@
 #include <vector>
 
 #include "components/roomDetector/core/door_finder.hpp"
+#include "components/roomDetector/core/joint_fit.hpp"
 #include "components/roomDetector/core/paper_doors.hpp"
 #include "components/roomDetector/core/rectangle_fit.hpp"
 #include "components/roomDetector/core/rectangle_search.hpp"
+#include "components/roomDetector/core/stands.hpp"
 #include "components/roomDetector/core/wall_band.hpp"
 #include "components/roomDetector/core/wall_votes.hpp"
 #include "interfaces/model/room.hpp"
@@ -24,11 +26,11 @@ struct RoomDetectorConfig {
   bool refine =
       true;  ///< fit the walls to the returns of the laser, beyond the resolution of the Hough space
   RectangleFitConfig fit;
+  JointFitConfig joint;
   DoorMethod doors = DoorMethod::kEvidence;
   DoorFinderConfig door_finder;
   PaperDoorsConfig paper_doors;
-  double recent_move_m = 0.005;  ///< the robot has moved if it went so far …
-  double recent_turn_deg = 0.3;  ///< … or turned so much: the returns before that are not recent any more
+  StandsConfig stands;
 };
 
 /// What a person would want to know of one estimate.
@@ -37,6 +39,7 @@ struct DetectionDiagnostics {
   SearchResult search;
   Rectangle coarse;  ///< eq. 10–13, before the refinement
   std::optional<RectangleFit> fit;
+  std::vector<Pose2> corrections;  ///< T_zone_odom of each stand of the robot, where they were estimated
   std::optional<RectangleFit> recent_fit;
 };
 
@@ -63,8 +66,9 @@ class RoomDetector {
   void find_doors(Detection& d, const HoughSpace& space) const;
   void fit_recent(Detection& d, const WallBand& band) const;
   /// Returns, and centres of the cells far from any: those of a snapshot taken after a restart.
-  std::vector<WallPoint> wall_points(const WallBand& band) const;
-  std::vector<WallPoint> door_hits() const;
+  std::vector<std::size_t> stands_in(const Rectangle& room) const;
+  std::vector<WallPoint> cells_far_from(const std::vector<StandPoints>& stands, const WallBand& band) const;
+  std::vector<WallPoint> door_hits(const Detection& d) const;
 
   RoomDetectorConfig config_;
   ColumnMap map_;
@@ -72,8 +76,8 @@ class RoomDetector {
   RectangleSearch search_;
   RectangleFitter fitter_;
   DoorFinder door_finder_;
-  HitMap hits_, fine_hits_, recent_hits_;
-  std::optional<Pose2> recent_pose_;
+  JointFitter joint_fitter_;
+  Stands stands_;
 };
 
 }  // namespace enfilade::room_detector

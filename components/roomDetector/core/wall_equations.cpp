@@ -4,14 +4,11 @@
 #include <cmath>
 
 namespace enfilade::room_detector {
-namespace {
 
 double tukey(double residual_m, double gate_m) {
   const double u = residual_m / gate_m;
   return std::abs(u) < 1.0 ? (1.0 - u * u) * (1.0 - u * u) : 0.0;
 }
-
-}  // namespace
 
 WallSight sight_of(const Point2& q, const Rectangle& r, double gate_m, double corner_m) {
   const Point2 local = rotate(-r.yaw_rad, q - Point2(r.x_m, r.y_m));

@@ -15,6 +15,9 @@ namespace enfilade::room_detector {
 using WallStep = Eigen::Matrix<double, 5, 1>;
 using WallMatrix = Eigen::Matrix<double, 5, 5>;
 
+/// Tukey's weight of a residual: 1 at none, 0 from the gate on.
+double tukey(double residual_m, double gate_m);
+
 /// A point as one wall sees it.
 struct WallSight {
   int wall = 0;

@@ -42,6 +42,24 @@ void bind(ConfigBinder& c, RectangleFitConfig& fit) {
   c.number("min_wall_weight", fit.min_wall_weight, 1.0, 1e6);
 }
 
+void bind(ConfigBinder& c, JointFitConfig& joint) {
+  c.number("motion_sigma_m", joint.motion_sigma_m, 0.0001, 1.0);
+  c.number("motion_sigma_deg", joint.motion_sigma_deg, 0.001, 30.0);
+  c.number("reach_m", joint.reach_m, 0.02, 1.0);
+  c.number("range_bias_sigma_m", joint.range_bias_sigma_m, 0.0, 0.2);
+  c.number("wall_sigma_m", joint.wall_sigma_m, 0.0, 0.1);
+}
+
+void bind(ConfigBinder& c, StandsConfig& stands) {
+  c.number("move_m", stands.move_m, 0.0, 1.0);
+  c.number("turn_deg", stands.turn_deg, 0.0, 90.0);
+  c.integer("most", stands.most, 2, 100);
+  c.number("jamb_from_m", stands.jamb_from_m, 0.0, 2.0);
+  c.number("jamb_to_m", stands.jamb_to_m, 0.2, 4.0);
+  c.number("sensor_forward_m", stands.sensor_forward_m, -2.0, 2.0);
+  c.number("sensor_height_m", stands.sensor_height_m, 0.0, 3.0);
+}
+
 void bind(ConfigBinder& c, JambFitConfig& jamb) {
   c.number("reach_m", jamb.reach_m, 0.0, 0.5);
   c.number("face_m", jamb.face_m, 0.005, 0.2);
@@ -78,12 +96,12 @@ void bind(ConfigBinder& c, RoomDetectorNodeConfig& config) {
   bind(c, d.search);
   c.flag("refine", d.refine);
   c.group("fit", [&](ConfigBinder& g) { bind(g, d.fit); });
+  c.group("joint", [&](ConfigBinder& g) { bind(g, d.joint); });
+  c.group("stands", [&](ConfigBinder& g) { bind(g, d.stands); });
   c.choice("doors", d.doors, {{"paper", DoorMethod::kPaper}, {"evidence", DoorMethod::kEvidence}});
   c.group("door_finder", [&](ConfigBinder& g) { bind(g, d.door_finder); });
   c.group("paper_doors",
           [&](ConfigBinder& g) { g.number("min_length_m", d.paper_doors.min_length_m, 0.0, 5.0); });
-  c.number("recent_move_m", d.recent_move_m, 0.0, 1.0);
-  c.number("recent_turn_deg", d.recent_turn_deg, 0.0, 90.0);
 }
 
 }  // namespace enfilade::room_detector

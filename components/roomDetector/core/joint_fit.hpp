@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "components/roomDetector/core/rectangle_fit.hpp"
+
+namespace enfilade::room_detector {
+
+struct JointFitConfig {
+  double motion_sigma_m = 0.02;       ///< what odometry errs by from one stand to the next …
+  double motion_sigma_deg = 1.0;      ///< … in the mean
+  double reach_m = 0.25;              ///< a stand's walls may lie so far from the room's by that
+  double range_bias_sigma_m = 0.017;  ///< of the laser; ±30 mm evenly spread: 30 mm / √3
+  double wall_sigma_m = 0.0004;       ///< how flat a wall is, and how well a plane describes it
+};
+
+/// What was measured from one stand, where odometry had it.
+struct StandPoints {
+  Pose2 T_zone_base;
+  std::vector<WallPoint> points;
+};
+
+struct JointFit {
+  RectangleFit room;
+  std::vector<Pose2> corrections;  ///< T_zone_odom of each stand; the first one's is the identity
+};
+
+/// One rectangle for several stands whose poses odometry only knows roughly: minimises
+///   Σ_k Σ_q ρ(n_i(α) · (T_k q − c) − o_i) + Σ_k |T_k ⊖ T_{k−1}|²_motion
+/// over the rectangle and the correction T_k of every stand but the first.
+class JointFitter {
+ public:
+  JointFitter(const JointFitConfig& config, const RectangleFitConfig& fit);
+
+  /// Empty where the points of the first stands do not support a rectangle near `start`.
+  std::optional<JointFit> fit(std::span<const StandPoints> stands, const Rectangle& start,
+                              double reach_m) const;
+
+ private:
+  struct Problem;
+  void align(std::span<const StandPoints> stands, Problem& problem) const;
+
+  JointFitConfig config_;
+  RectangleFitConfig fit_config_;
+  RectangleFitter fitter_;
+};
+
+}  // namespace enfilade::room_detector

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "components/roomDetector/core/stands.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace enfilade::room_detector {
+namespace {
+
+constexpr double kFineCell_m = 0.01;
+
+}  // namespace
+
+void Stands::add(const ScanHits& line, double resolution_m) {
+  if (is_new_stand(line.T_zone_base)) {
+    stands_.push_back({.T_zone_base = line.T_zone_base, .hits = {}, .fine_hits = {}});
+    if (stands_.size() > static_cast<std::size_t>(config_.most)) put_oldest_together();
+  }
+  std::vector<CellHit> at_doors;
+  for (const CellHit& hit : line.hits)
+    if (hit.z_m >= config_.jamb_from_m && hit.z_m < config_.jamb_to_m) at_doors.push_back(hit);
+  stands_.back().hits.add(line.hits, resolution_m);
+  stands_.back().fine_hits.add(at_doors, 2.0 * config_.jamb_to_m, kFineCell_m);
+}
+
+bool Stands::is_new_stand(const Pose2& T_zone_base) const {
+  if (stands_.empty()) return true;
+  const Pose2 moved = stands_.back().T_zone_base.inverse() * T_zone_base;
+  return !(moved.translation().norm() <= config_.move_m &&
+           std::abs(wrap_to_pi(moved.yaw_rad)) <= radians(config_.turn_deg));
+}
+
+void Stands::put_oldest_together() {
+  Stand& second = stands_[1];
+  stands_[0].hits.add(second.hits);
+  stands_[0].fine_hits.add(second.fine_hits);
+  ++stands_[0].merged;
+  stands_.erase(stands_.begin() + 1);
+}
+
+std::vector<WallPoint> Stands::wall_points(const Stand& stand, const WallBand& band) const {
+  const Point2 sensor = stand.T_zone_base * Point2(config_.sensor_forward_m, 0.0);
+  std::vector<WallPoint> points;
+  for (const HitMap::Sum& column : stand.hits.columns(band.from, band.to)) {
+    const Point2 at(column.x_m / column.count, column.y_m / column.count);
+    const double up_m = column.z_m / column.count - config_.sensor_height_m;
+    const Point2 flat = at - sensor;
+    const double range_m = std::hypot(flat.norm(), up_m);
+    const bool is_from_one_place = stand.merged == 0 && range_m > 0.0;
+    points.push_back({at, column.count, is_from_one_place ? Point2(flat / range_m) : Point2::Zero()});
+  }
+  return points;
+}
+
+}  // namespace enfilade::room_detector
