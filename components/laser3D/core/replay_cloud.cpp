@@ -17,6 +17,15 @@ Point3f lifted(const Eigen::Quaterniond& level, double height_m, const Point3f& 
   return {static_cast<float>(q.x()), static_cast<float>(q.y()), static_cast<float>(q.z() + height_m)};
 }
 
+constexpr float kBeforeFloor_m = 0.1F;
+
+/// The place a little before `p` on the beam from the scanner.
+Point3f short_of(const Point3f& p, float scanner_height_m) {
+  const float up = p.z_m - scanner_height_m, length = std::hypot(p.x_m, p.y_m, up);
+  const float share = length > kBeforeFloor_m ? 1.0F - kBeforeFloor_m / length : 0.0F;
+  return {share * p.x_m, share * p.y_m, scanner_height_m + share * up};
+}
+
 }  // namespace
 
 std::optional<ReplayCloud> make_replay_cloud(const ReplayCloudConfig& config, const ScannedPoints& scanned) {
@@ -31,12 +40,18 @@ std::optional<ReplayCloud> make_replay_cloud(const ReplayCloudConfig& config, co
   const Eigen::Quaterniond level = Eigen::Quaterniond::FromTwoVectors(floor->up, Eigen::Vector3d::UnitZ());
   for (const Point3f& seen : points) {
     const Point3f p = lifted(level, floor->below_m, seen);
+    const std::uint64_t count = cloud.points + cloud.near_floor;
+    if (count % static_cast<std::uint64_t>(config.line_points) == 0) {
+      cloud.lines.emplace_back();
+      cloud.free_ends.emplace_back();
+    }
     if (p.z_m < config.floor_drop_m) {
       ++cloud.near_floor;
-      continue;
+      cloud.free_ends.back().push_back(short_of(p, static_cast<float>(cloud.scanner_height_m)));
+    } else {
+      ++cloud.points;
+      cloud.lines.back().push_back(p);
     }
-    if (cloud.points++ % static_cast<std::uint64_t>(config.line_points) == 0) cloud.lines.emplace_back();
-    cloud.lines.back().push_back(p);
   }
   return cloud;
 }

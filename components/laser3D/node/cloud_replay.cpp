@@ -33,7 +33,8 @@ std::string two_decimals(double value) {
 CloudReplay::CloudReplay(const NodeContext& context, const ReplayConfig& config)
     : context_(context), config_(config) {}
 
-void CloudReplay::start(const Publisher<PointCloud>& points, const Publisher<TransformList>& tf_static) {
+void CloudReplay::start(const Publisher<PointCloud>& points, const Publisher<PointCloud>& points_free,
+                        const Publisher<TransformList>& tf_static) {
   const FileBytes file = read_file(config_.file);
   auto cloud = make_replay_cloud(config_.cloud, read_points(file));
   if (!cloud)
@@ -41,11 +42,12 @@ void CloudReplay::start(const Publisher<PointCloud>& points, const Publisher<Tra
                              ": no floor is to be found below the scanner, so its height is unknown");
   cloud_ = std::move(*cloud);
   points_ = &points;
+  points_free_ = &points_free;
   opened_ns_ = context_.clock.now_ns();
   context_.log.info("replay of " + file.name + ": floor " + two_decimals(cloud_.scanner_height_m) +
                     " m below the scanner, which leaned by " + two_decimals(degrees(cloud_.tilt_rad)) +
                     " degrees; " + std::to_string(cloud_.points) + " points to play, " +
-                    std::to_string(cloud_.near_floor) + " near the floor dropped");
+                    std::to_string(cloud_.near_floor) + " near the floor as free space");
   tf_static.publish(mount_transform(opened_ns_, 0.0, 0.0, cloud_.scanner_height_m));
   context_.executor.every(from_seconds(config_.line_period_s / config_.rate), [this] { step(); });
 }
@@ -62,6 +64,8 @@ void CloudReplay::step() {
   const StampNs stamp_ns = static_cast<StampNs>(next_line_ + 1) * from_seconds(config_.line_period_s);
   points_->publish(
       {.stamp_ns = stamp_ns, .frame_id = kBaseFrame, .points = std::move(cloud_.lines[next_line_])});
+  points_free_->publish(
+      {.stamp_ns = stamp_ns, .frame_id = kBaseFrame, .points = std::move(cloud_.free_ends[next_line_])});
   ++next_line_;
 }
 

@@ -14,7 +14,8 @@ class CloudReplay {
   CloudReplay(const NodeContext& context, const ReplayConfig& config);
 
   /// Reads the file. Throws std::runtime_error with one sentence where it cannot be used.
-  void start(const Publisher<PointCloud>& points, const Publisher<TransformList>& tf_static);
+  void start(const Publisher<PointCloud>& points, const Publisher<PointCloud>& points_free,
+             const Publisher<TransformList>& tf_static);
 
  private:
   void step();
@@ -24,6 +25,7 @@ class CloudReplay {
   NodeContext context_;
   ReplayConfig config_;
   const Publisher<PointCloud>* points_ = nullptr;
+  const Publisher<PointCloud>* points_free_ = nullptr;
   ReplayCloud cloud_;
   std::size_t next_line_ = 0;
   StampNs opened_ns_ = 0;

@@ -29,8 +29,9 @@ Laser3DNode::Laser3DNode(const NodeContext& context, const Laser3DConfig& config
 void Laser3DNode::initialize() {
   points_ = context_.bus.advertise(topics::kPoints);
   tf_static_ = context_.bus.advertise(topics::kTfStatic);
+  points_free_ = context_.bus.advertise(topics::kPointsFree);
   if (replay_) {
-    replay_->start(points_, tf_static_);
+    replay_->start(points_, points_free_, tf_static_);
   } else {
     start_scanning();
   }
@@ -38,7 +39,6 @@ void Laser3DNode::initialize() {
 
 void Laser3DNode::start_scanning() {
   scan_ = context_.bus.advertise(topics::kScan);
-  points_free_ = context_.bus.advertise(topics::kPointsFree);
   tf_ = context_.bus.advertise(topics::kTf);
   const ScanProjectorConfig& mount = config_.projector;
   tf_static_.publish(

@@ -8,7 +8,7 @@
 namespace enfilade::laser_3d {
 namespace {
 
-TEST(ReplayCloud, LiftsTheFloorToZeroAndDropsWhatLiesNearIt) {
+TEST(ReplayCloud, LiftsTheFloorToZeroAndKeepsWhatLiesNearItAsFreeSpace) {
   const auto cloud = make_replay_cloud({}, {.points = synthetic_room(1.3), .origin = {}});
   ASSERT_TRUE(cloud);
   EXPECT_NEAR(cloud->scanner_height_m, 1.3, 0.01);
@@ -20,6 +20,13 @@ TEST(ReplayCloud, LiftsTheFloorToZeroAndDropsWhatLiesNearIt) {
       highest_m = std::max(highest_m, p.z_m);
     }
   EXPECT_NEAR(highest_m, 2.5, 0.05);
+  ASSERT_EQ(cloud->free_ends.size(), cloud->lines.size());
+  std::uint64_t free_ends = 0;
+  for (const auto& ends : cloud->free_ends) {
+    free_ends += ends.size();
+    for (const Point3f& p : ends) EXPECT_LT(p.z_m, 0.31f) << "a little before the floor";
+  }
+  EXPECT_EQ(free_ends, cloud->near_floor);
 }
 
 TEST(ReplayCloud, LinesAreFullButTheLast) {
@@ -28,7 +35,7 @@ TEST(ReplayCloud, LinesAreFullButTheLast) {
   for (std::size_t i = 0; i < cloud->lines.size(); ++i) {
     points += cloud->lines[i].size();
     if (i + 1 == cloud->lines.size()) break;
-    EXPECT_EQ(cloud->lines[i].size(), 1000u);
+    EXPECT_EQ(cloud->lines[i].size() + cloud->free_ends[i].size(), 1000u);
   }
   EXPECT_EQ(points, cloud->points);
 }
