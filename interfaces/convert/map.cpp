@@ -10,11 +10,14 @@ own::DoorFace_ face_to_wire(const DoorFace& face) {
   out.room(face.room);
   out.gap(to_wire(face.gap));
   out.position_sigma_m(face.position_sigma_m);
+  out.has_measured_offset(face.measured_offset_m.has_value());
+  out.measured_offset_m(face.measured_offset_m.value_or(0.0));
   return out;
 }
 
 DoorFace face_from_wire(const own::DoorFace_& face) {
-  return {face.room(), from_wire(face.gap()), face.position_sigma_m()};
+  return {face.room(), from_wire(face.gap()), face.position_sigma_m(),
+          optional_from_wire(face.has_measured_offset(), face.measured_offset_m())};
 }
 
 own::Door_ door_to_wire(const Door& door) {
@@ -49,6 +52,9 @@ own::Room_ room_to_wire(const Room& room) {
   out.pose_map_room(to_wire(room.T_map_room));
   out.width_m(room.width_m);
   out.height_m(room.height_m);
+  out.has_measured_size(room.measured_size_m.has_value());
+  out.measured_width_m(room.measured_size_m.value_or(Point2::Zero()).x());
+  out.measured_height_m(room.measured_size_m.value_or(Point2::Zero()).y());
   out.has_covariance(room.covariance.has_value());
   out.covariance(room.covariance.value_or(RectangleCovariance{}));
   out.outline(outline_to_wire(room.polygon));
@@ -67,6 +73,8 @@ Room room_from_wire(const own::Room_& room) {
           .T_map_room = from_wire(room.pose_map_room()),
           .width_m = room.width_m(),
           .height_m = room.height_m(),
+          .measured_size_m = optional_from_wire(room.has_measured_size(),
+                                                Point2(room.measured_width_m(), room.measured_height_m())),
           .covariance = optional_from_wire(room.has_covariance(), room.covariance()),
           .polygon = outline_from_wire(room.outline()),
           .zone_id = room.zone_id(),

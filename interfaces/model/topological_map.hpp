@@ -26,6 +26,8 @@ struct DoorFace {
   RoomId room = 0;
   WallInterval gap;
   double position_sigma_m = 0.0;  ///< standard deviation of gap.middle_m; 0 = not estimated
+  /// From the wall's middle, as measured: what the global minimisation moves `gap` away from. Empty = `gap`.
+  std::optional<double> measured_offset_m;
 
   bool operator==(const DoorFace&) const = default;
 };
@@ -51,6 +53,7 @@ struct Room {
   Pose2 T_map_room;  ///< the paper's T_r (eq. 17)
   double width_m = 0.0;
   double height_m = 0.0;
+  std::optional<Point2> measured_size_m;  ///< what the global minimisation moves the size away from
   std::optional<RectangleCovariance> covariance;
   std::vector<Point2> polygon;  ///< room frame; empty = the rectangle itself
   std::uint32_t zone_id = 0;    ///< the zone it was modelled in

@@ -168,14 +168,14 @@ class RandomMessages {
         v.interior, v.slice, v.rejected, v.gaps);
     for (WallDiagnostics& wall : v.walls) fill(wall);
   }
-  void fill(DoorFace& v) { all(v.room, v.gap, v.position_sigma_m); }
+  void fill(DoorFace& v) { all(v.room, v.gap, v.position_sigma_m, v.measured_offset_m); }
   void fill(Door& v) {
     all(v.id, v.face, v.other_face, v.height_m, v.thickness_m, v.driven);
     pick(v.kind, DoorKind::kBlocked);
   }
   void fill(Room& v) {
-    all(v.id, v.name, v.T_map_room, v.width_m, v.height_m, v.covariance, v.polygon, v.zone_id, v.fixed_ns,
-        v.seen_ns, v.T_room_base, v.place);
+    all(v.id, v.name, v.T_map_room, v.width_m, v.height_m, v.measured_size_m, v.covariance, v.polygon,
+        v.zone_id, v.fixed_ns, v.seen_ns, v.T_room_base, v.place);
   }
   void fill(RoomLink& v) { all(v.from, v.to, v.T_from_to, v.sigma_position_m, v.sigma_yaw_rad); }
   void fill(Place& v) {

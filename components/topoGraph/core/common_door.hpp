@@ -14,10 +14,10 @@ enum class DoorFaces : std::uint8_t {
 
 struct CommonDoorConfig {
   DoorFaces door_faces = DoorFaces::kThickness;
-  double max_thickness_m = 0.4;      ///< a wall is taken to be between 0 and this thick
-  double max_rotation_rad = 0.0873;  ///< 5°: walls that miss being parallel by more are left as they are
-  double max_distance_m = 1.0;       ///< farther from the known door nothing is corrected
-  double max_angle_rad = 0.5236;     ///< 30°: between the two walls
+  double max_thickness_m = 0.4;     ///< a wall is taken to be between 0 and this thick
+  double max_rotation_rad = 0.157;  ///< 9°, 3σ of odometry: walls that miss being parallel by more stay so
+  double max_distance_m = 1.0;      ///< farther from the known door nothing is corrected
+  double max_angle_rad = 0.5236;    ///< 30°: between the two walls
   double max_width_difference_m =
       0.4;  ///< a gap that is wider or narrower by more does not show the door alone
 };

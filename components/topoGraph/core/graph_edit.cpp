@@ -30,19 +30,16 @@ const Door* find_door_at(const TopologicalMap& map, RoomId room, const WallInter
   return nullptr;
 }
 
-/// The nearest unresolved door of another room whose face can be the other side of `face`.
+/// The unresolved door of another room whose face can be the other side of `face`, where only one can.
 Door* find_other_side(TopoState& state, RoomId room, const PlacedFace& face, const FaceMatchConfig& match) {
-  Door* best = nullptr;
-  double best_distance = match.max_distance_m;
+  Door* found = nullptr;
   for (Door& door : state.map.doors) {
     if (!is_half_known(door) || door.face.room == room) continue;
-    const PlacedFace known = place(get_room(state, door.face.room), door.face);
-    const double away = (known.midpoint() - face.midpoint()).norm();
-    if (!coincide(known, face, match) || away > best_distance) continue;
-    best = &door;
-    best_distance = away;
+    if (!coincide(place(get_room(state, door.face.room), door.face), face, match)) continue;
+    if (found) return nullptr;
+    found = &door;
   }
-  return best;
+  return found;
 }
 
 /// A half-known door of `room`, other than `door`, where `gap` is.
@@ -72,18 +69,18 @@ RoomId insert_room(TopoState& state, Room room) {
   return state.session.last_room;
 }
 
-DoorEdit add_door(TopoState& state, RoomId room, const WallInterval& gap, std::optional<double> height_m,
+DoorEdit add_door(TopoState& state, RoomId room, const WallInterval& gap, const DoorEstimate& seen,
                   const FaceMatchConfig& match) {
   if (const Door* present = find_door_at(state.map, room, gap)) return {present->id, false, false};
-  const DoorFace face{room, gap};
+  const DoorFace face{.room = room, .gap = gap, .position_sigma_m = seen.position_sigma_m};
   if (Door* other = find_other_side(state, room, place(get_room(state, room), face), match)) {
     other->kind = DoorKind::kPassage;
     other->other_face = face;
-    if (!other->height_m) other->height_m = height_m;
+    if (!other->height_m) other->height_m = seen.height_m;
     return {other->id, false, true};
   }
   Door door{.id = ++state.session.last_door, .face = face};
-  door.height_m = height_m;
+  door.height_m = seen.height_m;
   state.map.doors.push_back(door);
   return {door.id, true, false};
 }
@@ -104,16 +101,15 @@ std::optional<RoomId> find_room_at(const TopologicalMap& map, const Point2& p_ma
   return std::nullopt;
 }
 
-std::optional<RoomId> find_covered_room(const TopologicalMap& map, const Rectangle& rectangle,
-                                        double min_iou) {
-  std::optional<RoomId> best;
-  for (const Room& room : map.rooms) {
-    const double overlap_share = iou(room.rectangle(), rectangle);
-    if (overlap_share <= min_iou) continue;
-    best = room.id;
-    min_iou = overlap_share;
-  }
-  return best;
+void split_door(TopoState& state, DoorId id) {
+  Door& door = get_door(state, id);
+  if (!door.other_face) return;
+  const Door apart{.id = ++state.session.last_door, .face = *door.other_face, .height_m = door.height_m};
+  door.kind = DoorKind::kUnresolved;
+  door.other_face.reset();
+  door.thickness_m.reset();
+  door.driven = false;
+  state.map.doors.push_back(apart);
 }
 
 }  // namespace enfilade::topo_graph

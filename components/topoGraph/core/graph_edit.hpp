@@ -20,8 +20,8 @@ struct DoorEdit {
 };
 
 /// Gives `room` a door at `gap`: none where it already has one there, the other face of an unresolved door of
-/// another room where the two coincide, a new unresolved door otherwise.
-DoorEdit add_door(TopoState& state, RoomId room, const WallInterval& gap, std::optional<double> height_m,
+/// another room where the two coincide (and no second one does), a new unresolved door otherwise.
+DoorEdit add_door(TopoState& state, RoomId room, const WallInterval& gap, const DoorEstimate& seen,
                   const FaceMatchConfig& match);
 
 /// Makes `door` a passage into `room` through `gap`. A door that `room` has at that place is the same one
@@ -33,9 +33,8 @@ void join_door(TopoState& state, DoorId door, RoomId room, const WallInterval& g
 std::optional<RoomId> find_room_at(const TopologicalMap& map, const Point2& p_map, RoomId except,
                                    double margin_m);
 
-/// The room whose rectangle is `rectangle` by more than `min_iou`: the best of them.
-std::optional<RoomId> find_covered_room(const TopologicalMap& map, const Rectangle& rectangle,
-                                        double min_iou);
+/// Takes the second face off `door` and makes an unresolved door of its own of it.
+void split_door(TopoState& state, DoorId door);
 
 Room& get_room(TopoState& state, RoomId id);
 Door& get_door(TopoState& state, DoorId id);

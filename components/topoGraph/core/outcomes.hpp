@@ -18,6 +18,8 @@ struct FixRoomOutcome {
   std::optional<CommonDoor> common_door;  ///< how eq. 20 was met
   std::optional<PoseCorrection> correction;
   std::vector<DoorId> new_doors;
+  bool minimised = false;         ///< a loop was closed, and eq. 21 minimised
+  std::vector<DoorId> withdrawn;  ///< inferred doors that were taken back by it
   std::vector<DoorId>
       joined_doors;  ///< doors of other rooms that turned out to lead here, the common door included
 };
@@ -37,6 +39,8 @@ struct ObserveOutcome {
   std::optional<PoseCorrection> correction;
   bool odometry_restarted = false;  ///< the zone frame is a new one
   bool room_found_again = false;    ///< and the room was found in it
+  bool room_withdrawn = false;      ///< this is not the room that the graph took it for
+  bool minimised = false;           ///< an inferred door was confirmed, and eq. 21 minimised
 };
 
 }  // namespace enfilade::topo_graph

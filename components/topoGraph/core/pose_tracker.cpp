@@ -47,10 +47,11 @@ std::optional<Pose2> PoseTracker::deviation(const Rectangle& reference, const Re
     return turn(reference.pose(), a) < turn(reference.pose(), b);
   });
   if (nearest == poses.end() || turn(reference.pose(), *nearest) > config_.max_turn_rad) return std::nullopt;
-  // The gate is on the centre's shift: |Δt| of eq. 19 also holds the lever of the room's distance from the
-  // frame's origin.
-  if ((nearest->translation() - reference.pose().translation()).norm() > config_.max_shift_m)
-    return std::nullopt;
+  // The gate is on the centre's shift, not on |Δt| of eq. 19, which also holds the lever of the room's
+  // distance from the frame's origin; the robot may turn at either end of the room.
+  const double lever_m = 0.5 * std::max(reference.width_m, reference.height_m);
+  const double limit_m = config_.max_shift_m + lever_m * turn(reference.pose(), *nearest);
+  if ((nearest->translation() - reference.pose().translation()).norm() > limit_m) return std::nullopt;
   return model_deviation(reference.pose(), *nearest);
 }
 

@@ -18,10 +18,11 @@ std::vector<Pose2> namings(const Rectangle& reference, const Rectangle& seen, do
 
 struct PoseTrackerConfig {
   double max_size_difference_m = 0.15;  ///< of a side, between the estimate and the stored room
-  double max_shift_m = 0.5;             ///< of the room's centre, from one estimate to the next
-  double max_turn_rad = 0.2618;         ///< 15°: below 45°, where a quarter turn more would be as near
-  double min_shift_m = 0.001;           ///< less than both of these is noise: nothing is corrected
-  double min_turn_rad = 0.00035;        ///< 0.02°
+  double max_shift_m =
+      0.5;  ///< of the room, from one estimate to the next, beside what its turn about an end does
+  double max_turn_rad = 0.2618;   ///< 15°: below 45°, where a quarter turn more would be as near
+  double min_shift_m = 0.001;     ///< less than both of these is noise: nothing is corrected
+  double min_turn_rad = 0.00035;  ///< 0.02°
 };
 
 /// The robot's odometric error, seen as a motion of the room's frame (section IV).

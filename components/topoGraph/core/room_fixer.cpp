@@ -31,11 +31,10 @@ const DoorFace* find_entrance(const TopoState& state) {
 }  // namespace
 
 RoomFixer::RoomFixer(const RoomFixerConfig& config, const PoseTrackerConfig& tracker)
-    : config_(config), common_door_(config.common_door), tracker_(tracker) {
-  if (config.same_room_iou <= 0.0 || config.same_room_iou > 1.0) {
-    throw std::invalid_argument("RoomFixer: same_room_iou must be in (0, 1]");
-  }
-}
+    : config_(config),
+      common_door_(config.common_door),
+      loop_closer_(config.loop_closer, config.uncertainty),
+      tracker_(tracker) {}
 
 FixRoomOutcome RoomFixer::fix(TopoState& state, const RoomEstimate& estimate) const {
   const std::uint32_t current = state.session.zone.zone_id;
@@ -52,19 +51,28 @@ FixRoomOutcome RoomFixer::fix(TopoState& state, const RoomEstimate& estimate) co
 
 FixRoomOutcome RoomFixer::insert(TopoState& state, const RoomEstimate& estimate) const {
   FixRoomOutcome outcome;
-  meet_common_door(state, estimate, outcome);                                   // eq. 20
-  const RoomModel model = room_model(estimate, state.session.zone.T_map_zone);  // eq. 17
-  const auto covered = find_covered_room(state.map, model.room.rectangle(), config_.same_room_iou);
-  const RoomId id = covered ? *covered : insert_room(state, model.room);
+  meet_common_door(state, estimate, outcome);  // eq. 20
+  Pose2& T_map_zone = state.session.zone.T_map_zone;
+  RoomModel model = room_model(estimate, T_map_zone);  // eq. 17
+  const auto same = loop_closer_.find(state.map, predict(state, model, outcome));
   outcome.fixed = true;
-  outcome.covered = covered.has_value();
+  outcome.covered = same.has_value();
   outcome.reply.accepted = true;
-  outcome.reply.room = id;
+  outcome.reply.room = same ? same->room : add_room(state, model, outcome);
+  const RoomId id = outcome.reply.room;
+  if (same && state.session.zone.via_door && same->room != state.session.zone.from_room)
+    state.session.closures.push_back(closure_of(state, model, outcome));
+  if (same) {  // the robot is in that room, so both go to where it is
+    T_map_zone = same->T_map_model * model.room.T_map_room.inverse() * T_map_zone;
+    model.room.T_map_room = same->T_map_model;
+  }
   add_doors(state, model, outcome);
+  if (outcome.covered && !state.session.closures.empty() && state.session.closures.back().room == id)
+    state.session.closures.back().added = outcome.new_doors;
   if (outcome.correction) outcome.correction->room = id;
   state.session.zone.room = id;
   state.session.odom_boot = estimate.tag.odom_boot;
-  take_reference(state.session, estimate, covered ? state.map.find_room(id) : nullptr);
+  take_reference(state.session, estimate, same ? state.map.find_room(id) : nullptr);
   return outcome;
 }
 
@@ -86,6 +94,60 @@ void RoomFixer::meet_common_door(TopoState& state, const RoomEstimate& estimate,
   outcome.correction->T_map_odom = T_map_zone;
 }
 
+Prediction RoomFixer::predict(const TopoState& state, const RoomModel& model,
+                              const FixRoomOutcome& outcome) const {
+  const CurrentZone& zone = state.session.zone;
+  Prediction prediction{.model = model, .from_room = zone.from_room, .via_door = zone.via_door};
+  if (outcome.common_door) prediction.entrance = renamed(outcome.common_door->gap, model.quarter_turns);
+  const bool corrected = outcome.common_door && outcome.common_door->corrected;
+  const Room* from = zone.from_room ? state.map.find_room(*zone.from_room) : nullptr;
+  const double way_m =
+      from ? (from->T_map_room.translation() - model.room.T_map_room.translation()).norm() : 5.0;
+  prediction.covariance = loop_closer_.step_covariance(way_m, corrected);
+  return prediction;
+}
+
+/// What odometry says of the new room, before eq. 20 moved it.
+RoomLink RoomFixer::link_to(const TopoState& state, const RoomModel& model,
+                            const FixRoomOutcome& outcome) const {
+  const Room* from = state.map.find_room(*state.session.zone.from_room);
+  const Pose2 moved = outcome.common_door ? outcome.common_door->correction : Pose2{};
+  RoomLink link{.from = from->id};
+  link.T_from_to = from->T_map_room.inverse() * moved.inverse() * model.room.T_map_room;
+  link.sigma_position_m = config_.uncertainty.odometry_m +
+                          config_.uncertainty.odometry_share * link.T_from_to.translation().norm();
+  link.sigma_yaw_rad = config_.uncertainty.odometry_yaw_rad;
+  return link;
+}
+
+RoomId RoomFixer::add_room(TopoState& state, const RoomModel& model, const FixRoomOutcome& outcome) const {
+  Room room = model.room;
+  room.seen_ns = room.fixed_ns;
+  const Session& session = state.session;
+  room.T_room_base =
+      room.T_map_room.inverse() * session.zone.T_map_zone * session.T_zone_base.value_or(Pose2{});
+  if (!state.map.places.empty()) room.place = state.map.places.back().id;
+  std::optional<RoomLink> link;
+  if (session.zone.from_room) link = link_to(state, model, outcome);
+  const RoomId id = insert_room(state, std::move(room));
+  if (link) {
+    link->to = id;
+    state.map.links.push_back(*link);
+  }
+  return id;
+}
+
+LoopClosure RoomFixer::closure_of(const TopoState& state, const RoomModel& model,
+                                  const FixRoomOutcome& outcome) const {
+  LoopClosure closure{
+      .door = *state.session.zone.via_door, .room = outcome.reply.room, .instead = model.room};
+  if (outcome.common_door) closure.entrance = renamed(outcome.common_door->gap, model.quarter_turns);
+  closure.link = link_to(state, model, outcome);
+  for (const DoorEstimate& door : model.doors)
+    if (!(door.gap == closure.entrance)) closure.gaps.push_back(door.gap);
+  return closure;
+}
+
 void RoomFixer::add_doors(TopoState& state, const RoomModel& model, FixRoomOutcome& outcome) const {
   const RoomId id = outcome.reply.room;
   const Rectangle rectangle = get_room(state, id).rectangle();
@@ -101,11 +163,15 @@ void RoomFixer::add_doors(TopoState& state, const RoomModel& model, FixRoomOutco
   if (outcome.common_door && id != *zone.from_room) {
     entrance = renamed(outcome.common_door->gap, model.quarter_turns);
     join_door(state, *zone.via_door, id, on_wall(*entrance), config_.face_match);
+    Door& joined = get_door(state, *zone.via_door);
+    joined.driven = !outcome.covered;  // which room lies behind a loop is inferred
+    if (!outcome.common_door->seen && joined.other_face->gap == on_wall(*entrance))
+      joined.other_face->position_sigma_m = config_.uncertainty.door_unseen_m;
     outcome.joined_doors.push_back(*zone.via_door);
   }
   for (const DoorEstimate& door : model.doors) {
     if (entrance && door.gap == *entrance) continue;
-    const DoorEdit edit = add_door(state, id, on_wall(door.gap), door.height_m, config_.face_match);
+    const DoorEdit edit = add_door(state, id, on_wall(door.gap), door, config_.face_match);
     if (edit.added) outcome.new_doors.push_back(edit.door);
     if (edit.joined) outcome.joined_doors.push_back(edit.door);
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "components/topoGraph/core/common_door.hpp"
+#include "components/topoGraph/core/loop_closer.hpp"
 #include "components/topoGraph/core/outcomes.hpp"
 #include "components/topoGraph/core/pose_tracker.hpp"
 #include "components/topoGraph/core/room_model.hpp"
@@ -12,7 +13,8 @@ namespace enfilade::topo_graph {
 struct RoomFixerConfig {
   CommonDoorConfig common_door;
   FaceMatchConfig face_match;
-  double same_room_iou = 0.5;  ///< a new rectangle that covers a stored one by more than this is that room
+  LoopCloserConfig loop_closer;
+  UncertaintyConfig uncertainty;
 };
 
 /// Puts the room of the current zone into the graph: eq. 20 against the door through which the robot came,
@@ -28,12 +30,17 @@ class RoomFixer {
 
  private:
   FixRoomOutcome insert(TopoState& state, const RoomEstimate& estimate) const;
+  Prediction predict(const TopoState& state, const RoomModel& model, const FixRoomOutcome& outcome) const;
+  RoomLink link_to(const TopoState& state, const RoomModel& model, const FixRoomOutcome& outcome) const;
+  LoopClosure closure_of(const TopoState& state, const RoomModel& model, const FixRoomOutcome& outcome) const;
+  RoomId add_room(TopoState& state, const RoomModel& model, const FixRoomOutcome& outcome) const;
   void meet_common_door(TopoState& state, const RoomEstimate& estimate, FixRoomOutcome& outcome) const;
   void add_doors(TopoState& state, const RoomModel& model, FixRoomOutcome& outcome) const;
   void take_reference(Session& session, const RoomEstimate& estimate, const Room* covered) const;
 
   RoomFixerConfig config_;
   CommonDoorSolver common_door_;
+  LoopCloser loop_closer_;
   PoseTracker tracker_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "components/topoGraph/core/topo_graph.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -14,6 +15,7 @@ TopoGraph::TopoGraph(const GraphConfig& config, TopoState state)
       fixer_(config.fixer, config.tracker),
       changer_(config.changer),
       tracker_(config.tracker),
+      minimiser_(config.minimiser, config.fixer.uncertainty),
       state_(std::move(state)) {
   if (config.remembered_answers < 1)
     throw std::invalid_argument("TopoGraph: remembered_answers must be at least 1");
@@ -26,9 +28,27 @@ FixRoomOutcome TopoGraph::fix_room(const FixRoomRequest& request, StampNs now_ns
   FixRoomOutcome outcome = fixer_.fix(state_, request.estimate);
   FixRoomReply& reply = outcome.reply;
   reply.call = request.call;
+  if (outcome.fixed) close_loops(outcome);
   accept(now_ns, outcome.fixed,
          {reply.call, RequestKind::kFixRoom, reply.accepted, reply.message, reply.room});
   return outcome;
+}
+
+/// A door that joins rooms beside the one that the robot came through, or a stored room found again, closes a
+/// loop: eq. 20 alone cannot fulfil it, eq. 21 can.
+void TopoGraph::close_loops(FixRoomOutcome& outcome) {
+  const std::size_t came_through = outcome.common_door ? 1 : 0;
+  if (!outcome.covered && outcome.joined_doors.size() <= came_through) return;
+  const Minimised minimised = minimiser_.minimise(state_);
+  outcome.minimised = minimised.moved;
+  outcome.withdrawn = minimised.withdrawn;
+  if (state_.session.zone.room) outcome.reply.room = *state_.session.zone.room;
+  if (!outcome.correction) {
+    outcome.correction = PoseCorrection{.stamp_ns = state_.session.reference_ns,
+                                        .reason = PoseCorrection::Reason::kMinimisation,
+                                        .room = outcome.reply.room};
+  }
+  outcome.correction->T_map_odom = state_.session.zone.T_map_zone;
 }
 
 EnterZoneOutcome TopoGraph::enter_zone(const EnterZoneRequest& request, StampNs now_ns) {
@@ -89,9 +109,44 @@ ObserveOutcome TopoGraph::observe(const RoomEstimate& estimate) {
     outcome.correction = find_room_again(estimate);
     outcome.room_found_again = outcome.correction.has_value();
   } else {
+    review(estimate, outcome);
     outcome.correction = track(estimate);
+    if (outcome.minimised || outcome.room_withdrawn) {
+      if (!outcome.correction)
+        outcome.correction =
+            PoseCorrection{.stamp_ns = estimate.stamp_ns, .reason = PoseCorrection::Reason::kMinimisation};
+      move_zone(session.zone.T_map_zone, *outcome.correction);
+    }
   }
   return outcome;
+}
+
+/// An inferred door was gone through: the room behind it is what the graph says, or it is not.
+void TopoGraph::review(const RoomEstimate& estimate, ObserveOutcome& outcome) {
+  const CurrentZone& zone = state_.session.zone;
+  const Door* door = zone.via_door ? state_.map.find_door(*zone.via_door) : nullptr;
+  if (!zone.room || !door || door->driven || !door->other_face) return;
+  if (estimate.unexplored_wall_share > config_.review_unexplored_share) return;
+  const auto& closures = state_.session.closures;
+  const bool modelled_here =
+      std::any_of(closures.begin(), closures.end(), [&](const LoopClosure& c) { return c.door == door->id; });
+  if (modelled_here) return;  // this very model was compared when the loop was closed
+  const Rectangle room = zone.T_map_zone.inverse() * get_room(state_, *zone.room).rectangle();
+  if (tracker_.deviation(room, estimate.rectangle)) return confirm_door(outcome);
+  if (++misfits_ < config_.review_misfits) return;
+  misfits_ = 0;
+  withdraw(state_, door->id);
+  state_.session.zone.room.reset();
+  state_.session.reference.reset();
+  outcome.room_withdrawn = true;
+  ++state_.map.version;
+}
+
+void TopoGraph::confirm_door(ObserveOutcome& outcome) {
+  misfits_ = 0;
+  get_door(state_, *state_.session.zone.via_door).driven = true;
+  outcome.minimised = minimiser_.minimise(state_).moved;
+  ++state_.map.version;
 }
 
 std::optional<PoseCorrection> TopoGraph::track(const RoomEstimate& estimate) {
@@ -110,6 +165,7 @@ std::optional<PoseCorrection> TopoGraph::track(const RoomEstimate& estimate) {
   const std::optional<Pose2> D = tracker_.deviation(reference, seen);
   if (!D || !tracker_.is_significant(reference, *D)) return std::nullopt;
   session.reference_ns = stamp_ns;
+  get_room(state_, room.id).seen_ns = stamp_ns;
   PoseCorrection correction{.stamp_ns = stamp_ns, .room = room.id, .deviation = *D};
   move_zone(session.zone.T_map_zone * D->inverse(), correction);  // T_map_odom ← T_map_odom · D⁻¹
   return correction;

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "components/topoGraph/core/map_minimiser.hpp"
 #include "components/topoGraph/core/outcomes.hpp"
 #include "components/topoGraph/core/pose_tracker.hpp"
 #include "components/topoGraph/core/room_fixer.hpp"
@@ -15,6 +16,10 @@ struct GraphConfig {
   RoomFixerConfig fixer;
   ZoneChangerConfig changer;
   PoseTrackerConfig tracker;
+  MapMinimiserConfig minimiser;
+  double review_unexplored_share =
+      0.35;                     ///< an estimate with less unseen wall can tell that the room is another
+  int review_misfits = 3;       ///< so many in a row withdraw an inferred door
   int remembered_answers = 64;  ///< calls whose answers are kept for repeats; from 1
 };
 
@@ -40,6 +45,9 @@ class TopoGraph {
 
  private:
   MarkDoorOutcome mark(const MarkDoorRequest& request);
+  void close_loops(FixRoomOutcome& outcome);
+  void review(const RoomEstimate& estimate, ObserveOutcome& outcome);
+  void confirm_door(ObserveOutcome& outcome);
   std::optional<PoseCorrection> track(const RoomEstimate& estimate);
   std::optional<PoseCorrection> find_room_again(const RoomEstimate& estimate);
   void move_zone(const Pose2& T_map_zone, PoseCorrection& correction);
@@ -49,6 +57,8 @@ class TopoGraph {
   RoomFixer fixer_;
   ZoneChanger changer_;
   PoseTracker tracker_;
+  MapMinimiser minimiser_;
+  int misfits_ = 0;  ///< estimates in a row that are not of the room that this is taken for
   TopoState state_;
 };
 

@@ -11,6 +11,8 @@ TopoState first_state(StampNs now_ns) {
   state.session.zone.zone_id = 1;
   state.session.zone.valid_from_ns = now_ns;
   state.map.stamp_ns = now_ns;
+  state.map.places = {{.id = 1, .kind = PlaceKind::kBuilding, .name = "building"},
+                      {.id = 2, .parent = 1, .kind = PlaceKind::kFloor, .name = "ground floor"}};
   return state;
 }
 

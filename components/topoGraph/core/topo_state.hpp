@@ -24,6 +24,19 @@ struct Answer {
   bool operator==(const Answer&) const = default;
 };
 
+/// A room that was taken for a stored one, and what has to be known to take that back.
+struct LoopClosure {
+  DoorId door = 0;                 ///< through which the robot came
+  RoomId room = 0;                 ///< the stored room
+  Room instead;                    ///< the room as it was modelled anew, without an id, at `link.T_from_to`
+  RoomLink link;                   ///< `to` is 0
+  WallInterval entrance;           ///< in the walls of `instead`
+  std::vector<WallInterval> gaps;  ///< its other open gaps
+  std::vector<DoorId> added;       ///< doors that this visit gave the stored room
+
+  bool operator==(const LoopClosure&) const = default;
+};
+
 /// Where the exploration stands: what a restarted topoGraph needs beside the map to go on as if nothing had
 /// happened.
 struct Session {
@@ -33,7 +46,9 @@ struct Session {
   std::optional<Rectangle> reference;
   StampNs reference_ns = 0;  ///< of the newest estimate compared with it
   std::optional<std::uint32_t> odom_boot;
-  RoomId last_room = 0;  ///< ids are never used twice
+  std::optional<Pose2> T_zone_base;   ///< where the zone was entered
+  std::vector<LoopClosure> closures;  ///< oldest first
+  RoomId last_room = 0;               ///< ids are never used twice
   DoorId last_door = 0;
   std::vector<Answer> answers;  ///< oldest first
 

@@ -40,6 +40,7 @@ EnterZoneOutcome ZoneChanger::enter(TopoState& state, const EnterZoneRequest& re
       session.zone.T_map_zone;  // a zone's frame is odom: only the corrections so far carry over
   next.valid_from_ns = request.stamp_ns;
   session.zone = next;
+  session.T_zone_base = request.T_zone_base;
   session.reference.reset();
   session.reference_ns = request.stamp_ns;
   if (room) session.reference = get_room(state, *room).rectangle();

@@ -27,6 +27,42 @@ void bind(ConfigBinder& c, PoseTrackerConfig& config) {
   c.number("min_turn_rad", config.min_turn_rad, 0.0, 0.1);
 }
 
+void bind(ConfigBinder& c, UncertaintyConfig& config) {
+  c.number("size_m", config.size_m, 0.001, 1.0);
+  c.number("door_position_m", config.door_position_m, 0.001, 1.0);
+  c.number("door_unseen_m", config.door_unseen_m, 0.001, 5.0);
+  c.number("door_direction_rad", config.door_direction_rad, 0.0001, 0.5);
+  c.number("thickness_m", config.thickness_m, 0.0, 2.0);
+  c.number("thickness_sigma_m", config.thickness_sigma_m, 0.001, 2.0);
+  c.number("odometry_share", config.odometry_share, 0.0, 0.5);
+  c.number("odometry_m", config.odometry_m, 0.001, 1.0);
+  c.number("odometry_yaw_rad", config.odometry_yaw_rad, 0.0001, 1.0);
+}
+
+void bind(ConfigBinder& c, LoopCloserConfig& config) {
+  c.number("gate_sigma", config.gate_sigma, 1.0, 10.0);
+  c.number("accept_nats", config.accept_nats, 0.0, 100.0);
+  c.number("margin_nats", config.margin_nats, 0.0, 100.0);
+  c.number("space_m2", config.space_m2, 1.0, 1e6);
+  c.number("door_match_m", config.door_match_m, 0.05, 2.0);
+  c.number("extra_door_nats", config.extra_door_nats, 0.0, 100.0);
+  c.number("missing_door_nats", config.missing_door_nats, 0.0, 100.0);
+  c.number("overlap_iou", config.overlap_iou, 0.05, 1.0);
+  c.number("other_size_nats", config.other_size_nats, 0.0, 100.0);
+  c.number("search_m", config.search_m, 1.0, 1000.0);
+}
+
+void bind(ConfigBinder& c, MapMinimiserConfig& config) {
+  c.choice("solver", config.solver.solver, {{"ceres", SolverKind::kCeres}, {"sgd", SolverKind::kSgd}});
+  c.choice("error", config.solver.error,
+           {{"paper", DoorError::kPaper}, {"thickness", DoorError::kThickness}});
+  c.number("cauchy_scale", config.solver.cauchy_scale, 0.1, 100.0);
+  c.integer("max_iterations", config.solver.max_iterations, 1, 10000);
+  c.number("tolerance", config.solver.tolerance, 1e-12, 1.0);
+  c.integer("sgd_iterations", config.solver.sgd_iterations, 1, 100000);
+  c.number("withdraw_weight", config.withdraw_weight, 0.0, 0.99);
+}
+
 }  // namespace
 
 void bind(ConfigBinder& c, TopoGraphConfig& config) {
@@ -34,12 +70,18 @@ void bind(ConfigBinder& c, TopoGraphConfig& config) {
   c.group("period", [&](ConfigBinder& group) { bind(group, config.period); });
   c.text("map_file", config.map_file);
   c.flag("resume", config.resume);
-  c.number("same_room_iou", graph.fixer.same_room_iou, 0.05, 1.0);
   c.number("inside_room_m", graph.changer.inside_room_m, 0.0, 2.0);
   c.integer("remembered_answers", graph.remembered_answers, 1, 10000);
   c.group("common_door", [&](ConfigBinder& group) { bind(group, graph.fixer.common_door); });
   c.group("door_match", [&](ConfigBinder& group) { bind(group, graph.fixer.face_match); });
   c.group("pose_tracker", [&](ConfigBinder& group) { bind(group, graph.tracker); });
+  c.group("uncertainty", [&](ConfigBinder& group) { bind(group, graph.fixer.uncertainty); });
+  c.group("loop_closing", [&](ConfigBinder& group) {
+    bind(group, graph.fixer.loop_closer);
+    group.number("review_unexplored_share", graph.review_unexplored_share, 0.0, 1.0);
+    group.integer("review_misfits", graph.review_misfits, 1, 1000);
+  });
+  c.group("minimisation", [&](ConfigBinder& group) { bind(group, graph.minimiser); });
   graph.changer.face_match = graph.fixer.face_match;
 }
 

@@ -62,6 +62,7 @@ Room read_room(const YamlValue& value) {
   room.height_m = read_size(map.take("height_m"));
   room.zone_id = map.take("zone_id").id();
   room.fixed_ns = map.take("fixed_ns").signed_count();
+  if (const auto size = map.take_if_present("measured_size_m")) room.measured_size_m = read_point(*size);
   if (const auto seen = map.take_if_present("seen_ns")) room.seen_ns = seen->signed_count();
   if (const auto pose = map.take_if_present("T_room_base")) room.T_room_base = read_pose(*pose);
   if (const auto place = map.take_if_present("place")) room.place = place->id();
@@ -82,6 +83,7 @@ DoorFace read_face(const YamlValue& value, const TopologicalMap& graph) {
   face.gap.from_m = map.take("from_m").number();
   face.gap.to_m = map.take("to_m").number();
   if (const auto sigma = map.take_if_present("position_sigma_m")) face.position_sigma_m = sigma->number();
+  if (const auto offset = map.take_if_present("measured_offset_m")) face.measured_offset_m = offset->number();
   map.finish();
   const Room* room = graph.find_room(face.room);
   if (!room) value.fail("there is no room " + std::to_string(face.room));
@@ -188,6 +190,36 @@ std::uint32_t read_last_id(const YamlValue& value, const std::vector<Item>& item
   return last;
 }
 
+WallInterval read_gap(const YamlValue& value) {
+  YamlMap map(value);
+  WallInterval gap;
+  gap.wall = static_cast<std::uint8_t>(map.take("wall").count(3));
+  gap.from_m = map.take("from_m").number();
+  gap.to_m = map.take("to_m").number();
+  map.finish();
+  return gap;
+}
+
+LoopClosure read_closure(const YamlValue& value, const TopologicalMap& graph) {
+  YamlMap map(value);
+  LoopClosure closure;
+  const YamlValue door = map.take("door");
+  closure.door = door.id();
+  if (!graph.find_door(closure.door)) door.fail("there is no door " + std::to_string(closure.door));
+  closure.room = read_known_room(map.take("room"), graph);
+  closure.link.from = read_known_room(map.take("from"), graph);
+  closure.link.T_from_to = read_pose(map.take("T_from_to"));
+  closure.link.sigma_position_m = read_sigma(map.take("sigma_position_m"));
+  closure.link.sigma_yaw_rad = read_sigma(map.take("sigma_yaw_rad"));
+  closure.entrance = read_gap(map.take("entrance"));
+  for (const YamlValue& gap : map.take("gaps").list()) closure.gaps.push_back(read_gap(gap));
+  for (const YamlValue& added : map.take("added").list()) closure.added.push_back(added.id());
+  closure.instead = read_room(map.take("instead"));
+  closure.instead.id = 0;
+  map.finish();
+  return closure;
+}
+
 Session read_session(const YamlValue& value, const TopologicalMap& graph) {
   YamlMap map(value);
   Session session;
@@ -200,6 +232,10 @@ Session read_session(const YamlValue& value, const TopologicalMap& graph) {
   if (const auto boot = map.take_if_present("odom_boot")) {
     session.odom_boot = static_cast<std::uint32_t>(boot->count(std::numeric_limits<std::uint32_t>::max()));
   }
+  if (const auto pose = map.take_if_present("T_zone_base")) session.T_zone_base = read_pose(*pose);
+  if (const auto closures = map.take_if_present("closures"))
+    for (const YamlValue& closure : closures->list())
+      session.closures.push_back(read_closure(closure, graph));
   session.last_room = read_last_id(map.take("last_room"), graph.rooms);
   session.last_door = read_last_id(map.take("last_door"), graph.doors);
   for (const YamlValue& answer : map.take("answers").list()) session.answers.push_back(read_answer(answer));

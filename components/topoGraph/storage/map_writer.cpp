@@ -47,7 +47,8 @@ std::string rectangle(const Rectangle& r) {
 std::string face(const DoorFace& f) {
   return "{room: " + std::to_string(f.room) + ", wall: " + std::to_string(f.gap.wall) +
          ", from_m: " + number(f.gap.from_m) + ", to_m: " + number(f.gap.to_m) +
-         (f.position_sigma_m > 0.0 ? ", position_sigma_m: " + number(f.position_sigma_m) : "") + "}";
+         (f.position_sigma_m > 0.0 ? ", position_sigma_m: " + number(f.position_sigma_m) : "") +
+         (f.measured_offset_m ? ", measured_offset_m: " + number(*f.measured_offset_m) : "") + "}";
 }
 
 template <class Items, class Write>
@@ -68,6 +69,9 @@ std::string room_text(const Room& room) {
                     "\n    height_m: " + number(room.height_m) +
                     "\n    zone_id: " + std::to_string(room.zone_id) +
                     "\n    fixed_ns: " + std::to_string(room.fixed_ns) + "\n";
+  if (room.measured_size_m)
+    out += "    measured_size_m: [" + number(room.measured_size_m->x()) + ", " +
+           number(room.measured_size_m->y()) + "]\n";
   if (room.seen_ns != 0) out += "    seen_ns: " + std::to_string(room.seen_ns) + "\n";
   if (room.T_room_base) out += "    T_room_base: " + pose(*room.T_room_base) + "\n";
   if (room.place != 0) out += "    place: " + std::to_string(room.place) + "\n";
@@ -107,6 +111,31 @@ std::string answer_text(const Answer& answer) {
          ", id: " + std::to_string(answer.id) + "}\n";
 }
 
+std::string gap(const WallInterval& g) {
+  return "{wall: " + std::to_string(g.wall) + ", from_m: " + number(g.from_m) + ", to_m: " + number(g.to_m) +
+         "}";
+}
+
+/// The room of a closure has no id yet; the rest of it is written as any room, deeper.
+std::string closure_text(const LoopClosure& closure) {
+  Room room = closure.instead;
+  room.id = 1;
+  std::string lines = room_text(room), deeper;
+  for (const char c : lines.substr(4)) {
+    deeper += c;
+    if (c == '\n') deeper += "    ";
+  }
+  deeper.resize(deeper.size() - 4);
+  const RoomLink& link = closure.link;
+  const auto id = [](DoorId door) { return std::to_string(door); };
+  return "    - door: " + std::to_string(closure.door) + "\n      room: " + std::to_string(closure.room) +
+         "\n      from: " + std::to_string(link.from) + "\n      T_from_to: " + pose(link.T_from_to) +
+         "\n      sigma_position_m: " + number(link.sigma_position_m) +
+         "\n      sigma_yaw_rad: " + number(link.sigma_yaw_rad) +
+         "\n      entrance: " + gap(closure.entrance) + "\n      gaps: " + list(closure.gaps, gap) +
+         "\n      added: " + list(closure.added, id) + "\n      instead:\n        " + deeper;
+}
+
 std::string session_text(const Session& session) {
   const CurrentZone& zone = session.zone;
   std::string out =
@@ -119,6 +148,10 @@ std::string session_text(const Session& session) {
   if (session.reference) out += "  reference: " + rectangle(*session.reference) + "\n";
   out += "  reference_ns: " + std::to_string(session.reference_ns) + "\n" +
          optional_id("odom_boot", session.odom_boot);
+  if (session.T_zone_base) out += "  T_zone_base: " + pose(*session.T_zone_base) + "\n";
+  if (!session.closures.empty())
+    out += "  closures:  # rooms taken for stored ones, and what they were modelled as\n";
+  for (const LoopClosure& closure : session.closures) out += closure_text(closure);
   out += "  last_room: " + std::to_string(session.last_room) +
          "\n  last_door: " + std::to_string(session.last_door) + "\n";
   out += session.answers.empty() ? "  answers: []\n" : "  answers:\n";

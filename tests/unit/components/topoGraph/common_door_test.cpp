@@ -62,7 +62,7 @@ TEST(CommonDoor, ClampsTheThicknessToWhatAWallCanBe) {
 TEST(CommonDoor, LeavesAWallThatIsFarFromParallelAsItIs) {
   const CommonDoorSolver solver({});
   const Pose2 centre = room2().pose();
-  const Rectangle seen = centre * Pose2{0.0, 0.0, radians(8.0)} * centre.inverse() * room2();
+  const Rectangle seen = centre * Pose2{0.0, 0.0, radians(12.0)} * centre.inverse() * room2();
   const CommonDoor door = solver.solve(kKnown, seen, {door_from_room2()});
   EXPECT_TRUE(door.corrected);
   EXPECT_EQ(door.correction.yaw_rad, 0.0);

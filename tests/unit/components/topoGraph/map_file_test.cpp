@@ -35,6 +35,16 @@ MapFile rich_file() {
   state.map.rooms[0].polygon = {{-1.6, -1.9}, {1.6, -1.9}, {-0.0, 1e-300}};
   state.map.rooms[1].name = "Küche: 'α'";
   state.map.doors[0].height_m = 2.0000000000000004;
+  state.map.rooms[1].measured_size_m = Point2(4.2, 3.8);
+  state.map.doors[0].other_face->measured_offset_m = -0.25;
+  state.map.doors[0].other_face->position_sigma_m = 0.3;
+  LoopClosure closure{.door = 1, .room = 1, .instead = state.map.rooms[1], .link = state.map.links.at(0)};
+  closure.instead.id = closure.link.to = 0;
+  closure.entrance = {2, 0.1, 0.9};
+  closure.gaps = {{0, 1.0, 2.0}, {1, 0.5, 1.5}};
+  closure.added = {2, 3};
+  state.session.closures = {closure, closure};
+  state.session.zone.located = false;
   return {state.map, state.session};
 }
 
