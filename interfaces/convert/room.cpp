@@ -5,7 +5,7 @@ namespace enfilade::wire {
 
 namespace {
 
-own::DoorEstimate_ door_to_wire(const DoorEstimate& door) {
+own::DoorEstimate_ estimate_to_wire(const DoorEstimate& door) {
   own::DoorEstimate_ out;
   out.gap(to_wire(door.gap));
   out.state(enum_to_wire(door.state));
@@ -21,7 +21,7 @@ own::DoorEstimate_ door_to_wire(const DoorEstimate& door) {
   return out;
 }
 
-DoorEstimate door_from_wire(const own::DoorEstimate_& door) {
+DoorEstimate estimate_from_wire(const own::DoorEstimate_& door) {
   const own::DoorEvidence_& seen = door.evidence();
   return {.gap = from_wire(door.gap()),
           .state = enum_from_wire(door.state(), DoorState::kUnexplored, "the state of a door"),
@@ -60,7 +60,7 @@ own::RoomEstimate_ to_wire(const RoomEstimate& estimate) {
   out.has_covariance(estimate.covariance.has_value());
   out.covariance(estimate.covariance.value_or(RectangleCovariance{}));
   out.outline(outline_to_wire(estimate.polygon));
-  out.doors(each<own::DoorEstimate_>(estimate.doors, door_to_wire));
+  out.doors(each<own::DoorEstimate_>(estimate.doors, estimate_to_wire));
   out.unexplored_wall_share(estimate.unexplored_wall_share);
   out.has_recent(estimate.recent.has_value());
   out.recent(to_wire(estimate.recent.value_or(Rectangle{})));
@@ -78,7 +78,7 @@ RoomEstimate from_wire(const own::RoomEstimate_& estimate) {
           .score = estimate.score(),
           .covariance = optional_from_wire(estimate.has_covariance(), estimate.covariance()),
           .polygon = outline_from_wire(estimate.outline()),
-          .doors = each<DoorEstimate>(estimate.doors(), door_from_wire),
+          .doors = each<DoorEstimate>(estimate.doors(), estimate_from_wire),
           .unexplored_wall_share = estimate.unexplored_wall_share(),
           .recent = optional_from_wire(estimate.has_recent(), from_wire(estimate.recent())),
           .recent_stamp_ns = estimate.recent_stamp_ns()};

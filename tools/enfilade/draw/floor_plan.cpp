@@ -9,8 +9,8 @@
 namespace enfilade::draw {
 namespace {
 
-constexpr double kPixelsPerMetre = 80.0;
-const Paint kWall{.stroke = "#37474f", .width_px = 5.0, .fill = "#fafafa"};
+constexpr double kPlanPixelsPerMetre = 80.0;
+const Paint kPlanWall{.stroke = "#37474f", .width_px = 5.0, .fill = "#fafafa"};
 const Paint kPassage{.stroke = "#2e9e3f", .width_px = 7.0};
 const Paint kExit{.stroke = "#ef6c00", .width_px = 7.0};
 const Paint kUnresolved{.stroke = "#9e9e9e", .width_px = 7.0};
@@ -64,8 +64,8 @@ std::string draw_floor_plan(const TopologicalMap& map, const std::string& title)
   for (const Room& room : map.rooms) bounds.include(room.rectangle());
   if (bounds.empty()) bounds.include(Point2(0.0, 0.0));
   bounds.grow(0.5);
-  SvgCanvas canvas(bounds, kPixelsPerMetre);
-  for (const Room& room : map.rooms) canvas.rectangle(room.rectangle(), kWall);
+  SvgCanvas canvas(bounds, kPlanPixelsPerMetre);
+  for (const Room& room : map.rooms) canvas.rectangle(room.rectangle(), kPlanWall);
   for (const Room& room : map.rooms) draw_room(canvas, room);
   for (const Door& door : map.doors) draw_door(canvas, map, door);
   canvas.label(12.0, 24.0, title, {.size_px = 15.0, .anchor = "start", .bold = true});

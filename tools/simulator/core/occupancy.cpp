@@ -9,7 +9,7 @@
 namespace enfilade::simulator {
 namespace {
 
-constexpr double kSlab_m = 0.1;
+constexpr double kPlate_m = 0.1;
 
 /// Cells [left, right) × [top, bottom) in image columns and rows.
 struct Block {
@@ -88,9 +88,9 @@ World extrude(const std::string& name, const Occupancy& occupancy, const Extrusi
   for (const Block& block : blocks(occupancy))
     world.solids.push_back({footprint(occupancy, block), 0.0, config.wall_height_m, false});
   const std::vector<Point2> whole = footprint(occupancy, {0, occupancy.columns, 0, occupancy.rows});
-  world.solids.push_back({whole, -kSlab_m, 0.0, false});
+  world.solids.push_back({whole, -kPlate_m, 0.0, false});
   if (config.ceiling_m)
-    world.solids.push_back({whole, *config.ceiling_m, *config.ceiling_m + kSlab_m, false});
+    world.solids.push_back({whole, *config.ceiling_m, *config.ceiling_m + kPlate_m, false});
   world.truth.T_world_start = config.T_world_start ? *config.T_world_start : roomiest_place(occupancy);
   return world;
 }

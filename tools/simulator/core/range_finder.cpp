@@ -10,7 +10,7 @@
 namespace enfilade::simulator {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kNoEcho = std::numeric_limits<float>::infinity();
 constexpr double kNoiseStep_m = 10.0;
 constexpr double kFirstBeam_rad = -0.75 * kPi;
 constexpr double kBeamStep_rad = 2.0 * kPi / RangeFinder::kBeamsPerTurn;
@@ -19,7 +19,7 @@ constexpr double kBeamTime_ns = static_cast<double>(RangeFinder::kLine_ns) / Ran
 }  // namespace
 
 RangeFinder::RangeFinder(const RangeFinderConfig& config, const BodyConfig& body)
-    : config_(config), body_(body), true_m_(kBeams, kInfinity) {
+    : config_(config), body_(body), true_m_(kBeams, kNoEcho) {
   if (config.range_max_m <= config.range_min_m || config.sigma_near_m < 0 || config.sigma_far_m < 0)
     throw std::invalid_argument("RangeFinderConfig: ranges must grow and sigmas must not be negative");
   for (int i = 0; i < kBeams; ++i) {
@@ -45,10 +45,10 @@ double RangeFinder::own_body_m(int index, double roll_rad) const {
     if ((o + t * d).norm() <= body_.radius_m) return t;
   }
   const double a = d.squaredNorm(), b = o.dot(d), c = o.squaredNorm() - body_.radius_m * body_.radius_m;
-  if (c <= 0.0 || b >= 0.0 || b * b < a * c) return kInfinity;  // over the lid, or the mantle is missed
+  if (c <= 0.0 || b >= 0.0 || b * b < a * c) return kNoEcho;  // over the lid, or the mantle is missed
   const double t = (-b - std::sqrt(b * b - a * c)) / a;
   const double z_m = config_.mount_z_m + t * dz;
-  return z_m >= 0.0 && z_m <= body_.height_m ? t : kInfinity;
+  return z_m >= 0.0 && z_m <= body_.height_m ? t : kNoEcho;
 }
 
 std::optional<LaserScan> RangeFinder::sense(const SensorState& from, const SensorState& to,
@@ -89,12 +89,12 @@ double RangeFinder::mixed(int index, Random& random) const {
 }
 
 float RangeFinder::measured(int index, Random& random) const {
-  if (!std::isfinite(true_m_[index]) || random.happens(config_.dropout_probability)) return kInfinity;
+  if (!std::isfinite(true_m_[index]) || random.happens(config_.dropout_probability)) return kNoEcho;
   const double range_m = mixed(index, random) + config_.bias_m;
   const double noisy_m =
       range_m + random.gauss(range_m <= kNoiseStep_m ? config_.sigma_near_m : config_.sigma_far_m);
-  if (noisy_m > config_.range_max_m) return kInfinity;
-  if (noisy_m < config_.range_min_m) return -kInfinity;
+  if (noisy_m > config_.range_max_m) return kNoEcho;
+  if (noisy_m < config_.range_min_m) return -kNoEcho;
   return static_cast<float>(noisy_m);
 }
 

@@ -9,7 +9,7 @@
 namespace enfilade::simulator {
 namespace {
 
-constexpr double kFar_m = 1e4;
+constexpr double kFarthest_m = 1e4;
 
 /// As map_server has it: p = (255 - pixel) / 255, or pixel / 255 when negated; occupied where p exceeds the
 /// threshold. What is neither occupied nor free is taken for free: a wall that nobody has seen cannot be
@@ -29,7 +29,8 @@ ExtrusionConfig read_extrusion(YamlFields& fields) {
   if (fields.has("ceiling_m")) config.ceiling_m = fields.number("ceiling_m", 0.5, 20.0);
   fields.node("ceiling_m");
   if (auto start = fields.group("start")) {
-    config.T_world_start = Pose2{start->number("x_m", -kFar_m, kFar_m), start->number("y_m", -kFar_m, kFar_m),
+    config.T_world_start = Pose2{start->number("x_m", -kFarthest_m, kFarthest_m),
+                                 start->number("y_m", -kFarthest_m, kFarthest_m),
                                  radians(start->number_or("yaw_deg", 0.0, -360.0, 360.0))};
     start->finish();
   }
@@ -41,7 +42,7 @@ ExtrusionConfig read_extrusion(YamlFields& fields) {
 World read_map_server(YamlFields& fields, const std::string& name, const std::string& folder, YamlProblems&) {
   const std::filesystem::path image_path(fields.text("image"));
   const double resolution_m = fields.number("resolution", 1e-3, 10.0);
-  const std::vector<double> origin = fields.numbers("origin", 3, -kFar_m, kFar_m);
+  const std::vector<double> origin = fields.numbers("origin", 3, -kFarthest_m, kFarthest_m);
   const bool negate = fields.number_or("negate", 0.0, 0.0, 1.0) > 0.5;
   const double occupied_threshold = fields.number_or("occupied_thresh", 0.65, 0.0, 1.0);
   fields.number_or("free_thresh", 0.25, 0.0, 1.0);

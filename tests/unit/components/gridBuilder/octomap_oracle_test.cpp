@@ -41,7 +41,7 @@ Comparison compare(const ZoneGrid& grid, const octomap::OcTree& tree) {
   return result;
 }
 
-const Eigen::Vector3d kSensor{0.1037, 0.0211, 0.6013};
+const Eigen::Vector3d kOracleSensor{0.1037, 0.0211, 0.6013};
 
 class OctoMapOracle : public testing::TestWithParam<int> {};
 
@@ -57,7 +57,7 @@ TEST_P(OctoMapOracle, GivesEveryCellTheSameStateWhenFurnitureMoves) {
   const auto tree = make_octree(config);
   for (int i = 0; i < 80; ++i) {
     const ScanLine line =
-        (i < 40 ? before : after).scan(i + 1, kSensor, radians(-90.0 + 4.3 * (i % 40)), 271);
+        (i < 40 ? before : after).scan(i + 1, kOracleSensor, radians(-90.0 + 4.3 * (i % 40)), 271);
     grid.insert(line);
     insert_into(*tree, line, config.max_range_m);
   }
@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(RandomRooms, OctoMapOracle, testing::Range(1, 5));
 
 TEST(Octree, HoldsTheSameCellsAndCertaintiesAsTheGrid) {
   ZoneGrid grid({});
-  for (int i = 0; i < 10; ++i) grid.insert(BoxRoom{}.scan(i + 1, kSensor, radians(9.0 * i), 541));
+  for (int i = 0; i < 10; ++i) grid.insert(BoxRoom{}.scan(i + 1, kOracleSensor, radians(9.0 * i), 541));
   const auto tree = to_octree(grid);
   const Comparison result = compare(grid, *tree);
   EXPECT_EQ(result.different, 0);

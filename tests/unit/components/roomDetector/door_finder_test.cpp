@@ -10,7 +10,7 @@ namespace enfilade::room_detector {
 namespace {
 
 // Wall 0 is x = +2, running from (2, -1.5) to (2, 1.5): y = -0.5 … 0.4 is 1.0 … 1.9 m along it.
-constexpr Rectangle kRoom{0.0, 0.0, 0.0, 4.05, 3.05};
+constexpr Rectangle kDoorlessRoom{0.0, 0.0, 0.0, 4.05, 3.05};
 bool in_gap(double x, double y) { return x > 2.0 && y > -0.5 && y < 0.4; }
 
 WallGaps gaps_of(const std::function<CellState(double, double, double)>& wall_state,
@@ -93,7 +93,7 @@ TEST(PaperDoors, AreTheSegmentsWithoutPoints) {
   map.apply(test::ideal_room([](double x, double y, double) {
               return in_gap(x, y) ? CellState::kUnexplored : CellState::kOccupied;
             }).cells);
-  const auto doors = find_paper_doors(map, HoughLattice(HoughConfig{}), Point2::Zero(), kRoom, {});
+  const auto doors = find_paper_doors(map, HoughLattice(HoughConfig{}), Point2::Zero(), kDoorlessRoom, {});
   ASSERT_EQ(doors.size(), 1u);
   EXPECT_NEAR(doors[0].gap.from_m, 1.025, 0.026);
   EXPECT_NEAR(doors[0].gap.to_m, 1.925, 0.026);
@@ -105,7 +105,7 @@ TEST(PaperDoors, AreNotFoundUnderALintel) {
   map.apply(test::ideal_room([](double x, double y, double z) {
               return in_gap(x, y) && z < 2.0 ? CellState::kFree : CellState::kOccupied;
             }).cells);
-  EXPECT_TRUE(find_paper_doors(map, HoughLattice(HoughConfig{}), Point2::Zero(), kRoom, {}).empty());
+  EXPECT_TRUE(find_paper_doors(map, HoughLattice(HoughConfig{}), Point2::Zero(), kDoorlessRoom, {}).empty());
 }
 
 }  // namespace

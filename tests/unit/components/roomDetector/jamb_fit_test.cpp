@@ -7,12 +7,12 @@ namespace enfilade::room_detector {
 namespace {
 
 // Wall 0 of a turned room runs 3 m; its door is 1.013 … 1.907 m along it, in cells 1.05 … 1.85 m.
-const Rectangle kRoom{0.4, 1.0, -2.0, 4.0, 3.0};
+const Rectangle kJambRoom{0.4, 1.0, -2.0, 4.0, 3.0};
 constexpr double kFrom_m = 1.013, kTo_m = 1.907;
 constexpr WallInterval kCells{0, 1.05, 1.85};
 
 Point2 on_wall(double along_m, double outside_m) {
-  return kRoom.corner(0) + along_m * kRoom.wall(0).direction() + outside_m * kRoom.normal(0);
+  return kJambRoom.corner(0) + along_m * kJambRoom.wall(0).direction() + outside_m * kJambRoom.normal(0);
 }
 
 void add_face(std::vector<WallPoint>& hits) {
@@ -29,7 +29,7 @@ void add_reveals(std::vector<WallPoint>& hits) {
 }
 
 WallInterval fitted(const std::vector<WallPoint>& hits) {
-  return fit_jambs(hits_by_wall(hits, kRoom, 0, {}), kCells, {});
+  return fit_jambs(hits_by_wall(hits, kJambRoom, 0, {}), kCells, {});
 }
 
 TEST(FitJambs, StaysAtTheCellsWhereNothingWasSeen) { EXPECT_EQ(fitted({}), kCells); }
@@ -63,7 +63,7 @@ TEST(FitJambs, DoesNotTakeTheNoiseOfTheFaceForAJamb) {
   for (const WallPoint& hit : std::vector(hits)) {
     if ((hit.position - on_wall(kFrom_m, 0.0)).norm() < 0.06) continue;
     for (const double noise : {0.05, 0.07, 0.09})
-      hits.push_back({hit.position + noise * kRoom.normal(0), 1.0});
+      hits.push_back({hit.position + noise * kJambRoom.normal(0), 1.0});
   }
   EXPECT_NEAR(fitted(hits).from_m, kFrom_m, 0.015);
   EXPECT_NEAR(fitted(hits).to_m, kTo_m, 0.015);

@@ -20,20 +20,20 @@
 namespace enfilade {
 namespace {
 
-struct SampleConfig {
+struct ProcessConfig {
   PeriodConfig period;
 };
-void bind(ConfigBinder& c, SampleConfig& config) {
+void bind(ConfigBinder& c, ProcessConfig& config) {
   c.group("period", [&](ConfigBinder& g) { bind(g, config.period); });
 }
 
 int run_fake(FakeNode::Calls calls, std::vector<const char*> arguments) {
-  SampleConfig config;
+  ProcessConfig config;
   const ComponentRecipe recipe{.name = "explorer",
                                .load =
                                    [&config](const std::string& file, const ConfigOverrides& overrides) {
                                      std::string resolved;
-                                     config = load_config<SampleConfig>(file, overrides, &resolved);
+                                     config = load_config<ProcessConfig>(file, overrides, &resolved);
                                      return resolved;
                                    },
                                .period = [&config] { return config.period; },
