@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Section IV, second half: with the room in the graph, choose a door and look at it closely.
+#include <algorithm>
 #include <cmath>
 
 #include "components/explorer/core/exploration_machine.hpp"
@@ -19,6 +20,7 @@ void ExplorationMachine::choose_door(const Observation& seen, Decision& decision
   const auto route = find_route(*seen.map, room->id, robot_map, avoid_);
   if (!route) {
     state_.target_door.reset();
+    if (come_back_to_doors(seen, decision)) return;
     const std::string text = "no door is left: finished after " + counted(state_.sweeps_total, "sweep");
     decision.events.push_back(text);
     return go_to(Step::kFinished, ExplorationPhase::kFinished, text, seen);
@@ -30,6 +32,22 @@ void ExplorationMachine::choose_door(const Observation& seen, Decision& decision
   decision.events.push_back("door " + std::to_string(route->target) + " is next, " +
                             decimal(route->length_m, 1) + " m away" + via);
   begin_approach(seen, decision);
+}
+
+/// What barred the way may have gone, and the floor is known better than it was: doors are not called blocked
+/// before they were tried again, with nothing else left to do.
+bool ExplorationMachine::come_back_to_doors(const Observation& seen, Decision& decision) {
+  const auto open = std::count_if(seen.map->doors.begin(), seen.map->doors.end(),
+                                  [](const Door& door) { return door.kind == DoorKind::kUnresolved; });
+  if (open == 0 || put_off_.empty() || door_round_ >= config_.door_rounds) return false;
+  ++door_round_;
+  decision.events.push_back("no other door is left: trying again what could not be reached, " +
+                            counted(open, "unresolved door"));
+  put_off_.clear();
+  avoid_.clear();
+  attempts_.clear();
+  begin_sweep(Purpose::kLocalise, seen);
+  return true;
 }
 
 /// After a restart in the middle of a crossing the robot stands outside the room it is said to be in.
@@ -106,14 +124,17 @@ void ExplorationMachine::judge(const Observation& seen, Decision& decision) {
   begin_crossing(seen, decision);
 }
 
-/// Once is chance, perhaps a person in the way: it is tried again from another view. A passage is only
-/// avoided, as the robot has gone through it before.
+/// Once is chance, perhaps a person in the way: it is tried again from another view, then other doors come
+/// first. A passage is never called blocked, as the robot has gone through it before.
 void ExplorationMachine::give_up_door(const std::string& why, const Observation& seen, Decision& decision) {
   const int attempts = ++attempts_[door_];
   decision.warnings.push_back("door " + std::to_string(door_) + ": " + why);
   if (attempts < config_.door_attempts) return begin_sweep(Purpose::kLocalise, seen);
   const Door* door = seen.map->find_door(door_);
-  if (door && door->kind == DoorKind::kUnresolved) return begin_mark(DoorKind::kBlocked, seen, decision);
+  const bool last_round = door_round_ >= config_.door_rounds;
+  if (last_round && door && door->kind == DoorKind::kUnresolved)
+    return begin_mark(DoorKind::kBlocked, seen, decision);
+  put_off_.insert(door_);
   avoid_.insert(door_);
   go_to(Step::kChooseDoor, ExplorationPhase::kApproaching, "choosing another door", seen);
 }

@@ -17,9 +17,9 @@ struct DriveConfig {
   PathFollowerConfig follower;
   SafetyGuardConfig guard;
   double near_clearance_m = 0.28;  ///< so close to obstacles …
-  double near_speed_m_s = 0.12;    ///< … it goes this slowly, and faster the more room there is
-  double open_clearance_m = 0.60;
-  double blocked_s = 5.0;  ///< stands this long before something in the way before it looks for another way
+  double near_speed_m_s = 0.20;    ///< … it goes this slowly, and faster the more room there is
+  double open_clearance_m = 0.50;
+  double blocked_s = 2.0;  ///< stands this long before something in the way before it looks for another way
   int max_replans = 3;
   double slowest_m_s = 0.05;  ///< slower than this on the whole, it has failed
   double spare_s = 40.0;

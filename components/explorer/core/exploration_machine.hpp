@@ -32,7 +32,8 @@ struct ExplorationConfig {
   double retry_s = 20.0;          ///< stuck, it tries again after this long
   double staging_m = 0.70;        ///< where it looks at a door from
   double staging_search_m = 1.2;  ///< the reachable place nearest to that, at most so far away
-  int door_attempts = 2;          ///< failed approaches before a door is called blocked
+  int door_attempts = 2;          ///< failed approaches before a door is put off
+  int door_rounds = 2;            ///< so often doors put off are come back to, then they are called blocked
   double outside_m =
       0.30;  ///< so far outside its room a restarted explorer takes it that it has crossed a door
 };
@@ -116,6 +117,7 @@ class ExplorationMachine {
 
   // door_steps.cpp: leaving the room
   void choose_door(const Observation& seen, Decision& decision);
+  bool come_back_to_doors(const Observation& seen, Decision& decision);
   bool is_beyond_a_door(const Observation& seen, Decision& decision);
   std::optional<PlacedDoor> locate_door(const Observation& seen) const;
   void begin_approach(const Observation& seen, Decision& decision);
@@ -160,7 +162,9 @@ class ExplorationMachine {
   DoorKind verdict_ = DoorKind::kUnresolved;
   DoorCorridor corridor_;
   std::map<DoorId, int> attempts_;
-  std::set<DoorId> avoid_;
+  std::set<DoorId> avoid_;    ///< put off, or answered where the map may come later than the answer
+  std::set<DoorId> put_off_;  ///< could not be reached or crossed in this round
+  int door_round_ = 1;
 };
 
 }  // namespace enfilade::explorer

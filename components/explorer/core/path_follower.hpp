@@ -10,14 +10,14 @@
 namespace enfilade::explorer {
 
 struct PathFollowerConfig {
-  double linear_m_s = 0.35;
-  double angular_rad_s = 0.8;
-  double deceleration_m_s2 = 0.25;  ///< planned with, towards corners and the goal
-  double look_ahead_m = 0.35;       ///< steers at the point this far ahead on the line
-  double turn_first_rad = 0.35;     ///< a greater error of heading is turned away before driving
+  double linear_m_s = 0.45;
+  double angular_rad_s = 1.1;
+  double deceleration_m_s2 = 0.4;  ///< planned with, towards corners and the goal
+  double look_ahead_m = 0.35;      ///< steers at the point this far ahead on the line
+  double turn_first_rad = 0.35;    ///< a greater error of heading is turned away before driving
   double goal_tolerance_m = 0.03;
   double yaw_tolerance_rad = 0.035;
-  double turn_gain = 2.0;   ///< rad/s per rad
+  double turn_gain = 3.0;   ///< rad/s per rad
   double creep_m_s = 0.04;  ///< never slower than this while there is way to go
 };
 

@@ -130,7 +130,22 @@ std::vector<Point2> Reach::straightened(const std::vector<Point2>& points) const
     corners.push_back(points[last]);
     from = last;
   }
+  drop_short_legs(corners);
   return corners;
+}
+
+/// A leg of a few cells costs two turns on the spot; where the robot may cut the corner, it does.
+void Reach::drop_short_legs(std::vector<Point2>& corners) const {
+  const double short_m = 3.0 * map_.resolution_m();
+  for (std::size_t i = 1; i + 1 < corners.size();) {
+    const bool is_short =
+        (corners[i + 1] - corners[i]).norm() < short_m || (corners[i] - corners[i - 1]).norm() < short_m;
+    if (is_short && clearance_m(corners[i - 1], corners[i + 1]) >= config_.hard_radius_m) {
+      corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(i));
+    } else {
+      ++i;
+    }
+  }
 }
 
 }  // namespace enfilade::explorer

@@ -43,6 +43,7 @@ class Reach {
   double step_cost(CellXY c) const;
   double clearance_m(const Point2& a, const Point2& b) const;
   std::vector<Point2> straightened(const std::vector<Point2>& points) const;
+  void drop_short_legs(std::vector<Point2>& corners) const;
 
   const FloorMap& map_;
   PathPlannerConfig config_;

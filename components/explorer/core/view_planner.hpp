@@ -18,8 +18,8 @@ struct ViewPlannerConfig {
   double blind_half_angle_deg = 45.0;  ///< of the cone straight behind that the sensor does not see
   double range_m = 12.0;
   double least_gain_m2 = 0.5;  ///< less than this is not worth a sweep
-  double linear_m_s = 0.35;    ///< to estimate how long it takes
-  double angular_rad_s = 0.8;
+  double linear_m_s = 0.45;    ///< to estimate how long it takes
+  double angular_rad_s = 1.1;
   double sweep_s = 8.0;
 };
 

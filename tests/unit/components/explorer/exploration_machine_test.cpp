@@ -172,8 +172,19 @@ TEST(ExplorationMachine, MarksADoorThatIsNoWayThroughAsBlocked) {
   World world;
   const auto box = SyntheticRoom().solid(4.3, 1.0, 4.7, 3.0, 0.0, 0.5);
   world.grid.apply(0.05, box.cells());
-  ASSERT_TRUE(world.run_until(ExplorationPhase::kFinished, 300));
+  ASSERT_TRUE(world.run_until(ExplorationPhase::kFinished, 400));
   EXPECT_EQ(world.map.doors[0].kind, DoorKind::kBlocked);
+  EXPECT_TRUE(world.said("trying again what could not be reached, 1 unresolved door"));
+}
+
+TEST(ExplorationMachine, ComesBackToADoorThatWasBarredWhenNoOtherIsLeft) {
+  World world;
+  world.grid.apply(0.05, SyntheticRoom().solid(4.3, 1.0, 4.7, 3.0, 0.0, 0.5).cells());
+  for (int i = 0; i < 8000 && !world.said("trying again"); ++i) world.tick();
+  ASSERT_TRUE(world.said("trying again"));
+  EXPECT_EQ(world.map.doors[0].kind, DoorKind::kUnresolved);
+  world.grid.apply(0.05, SyntheticRoom().free(4.3, 1.0, 4.7, 3.0, 0.0, 0.5).cells());
+  EXPECT_TRUE(world.run_until(ExplorationPhase::kEntering, 200));
 }
 
 TEST(ExplorationMachine, AnUnstableRoomIsFixedInTheEnd) {

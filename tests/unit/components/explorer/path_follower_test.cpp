@@ -10,7 +10,7 @@
 namespace enfilade::explorer {
 namespace {
 
-constexpr double kDt = 0.05;
+constexpr double kPeriod_s = 0.05;
 
 /// A base with bounded accelerations and one period of delay.
 struct Base {
@@ -21,10 +21,10 @@ struct Base {
     const auto towards = [](double from, double to, double most) {
       return from + std::clamp(to - from, -most, most);
     };
-    speed.linear_m_s = towards(speed.linear_m_s, commanded.linear_m_s, 0.6 * kDt);
-    speed.angular_rad_s = towards(speed.angular_rad_s, commanded.angular_rad_s, 2.0 * kDt);
+    speed.linear_m_s = towards(speed.linear_m_s, commanded.linear_m_s, 0.6 * kPeriod_s);
+    speed.angular_rad_s = towards(speed.angular_rad_s, commanded.angular_rad_s, 2.0 * kPeriod_s);
     commanded = command;
-    pose = pose * Pose2{speed.linear_m_s * kDt, 0.0, speed.angular_rad_s * kDt};
+    pose = pose * Pose2{speed.linear_m_s * kPeriod_s, 0.0, speed.angular_rad_s * kPeriod_s};
   }
 };
 
@@ -75,10 +75,11 @@ TEST(PathFollower, WithoutAPathItOnlyTurns) {
 }
 
 TEST(PathFollower, NeverGoesFasterThanTheSurroundingsAllow) {
-  PathFollower follower({});
+  const PathFollowerConfig config;
+  PathFollower follower(config);
   follower.follow({{0, 0}, {3, 0}}, std::nullopt);
   EXPECT_DOUBLE_EQ(follower.update({0.5, 0, 0}, 0.1).velocity.linear_m_s, 0.1);
-  EXPECT_DOUBLE_EQ(follower.update({0.5, 0, 0}, 9.9).velocity.linear_m_s, 0.35);
+  EXPECT_DOUBLE_EQ(follower.update({0.5, 0, 0}, 9.9).velocity.linear_m_s, config.linear_m_s);
 }
 
 }  // namespace
