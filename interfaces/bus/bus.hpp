@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <typeindex>
@@ -45,6 +46,10 @@ class Publisher {
 class Bus {
  public:
   virtual ~Bus() = default;
+
+  /// Messages that readers of this bus have thrown away since its start, because they came faster than they
+  /// were handled. Readers that keep only the newest message lose none by that.
+  virtual std::uint64_t dropped() const { return 0; }
 
   template <class T>
   Publisher<T> advertise(const Topic<T>& topic) {

@@ -15,7 +15,8 @@ namespace enfilade {
 /// What readers of one bus have thrown away since its start.
 struct DdsDrops {
   std::uint64_t undecodable = 0;  ///< no messages of their topic's type; one warning a topic
-  std::uint64_t overflowed = 0;   ///< pushed out by newer ones before the executor came to them
+  std::uint64_t overflowed =
+      0;  ///< pushed out by newer ones before the executor came to them; not of depth 1
 };
 
 /// The bus between processes. Messages are decoded on Fast DDS's threads and wait in a queue of the topic's
@@ -33,6 +34,7 @@ class DdsBus : public Bus {
   DdsBus& operator=(const DdsBus&) = delete;
 
   DdsDrops drops() const;
+  std::uint64_t dropped() const override { return drops().overflowed; }
   bool uses_shared_memory() const;
 
  protected:

@@ -46,7 +46,11 @@ void DdsWriter::on_offered_incompatible_qos(dds::DataWriter*,
 }
 
 DdsReader::DdsReader(const TopicInfo& topic, std::shared_ptr<Inbox> inbox, Participant::Warn warn)
-    : codec_(wire::codec_of(topic)), topic_(topic.name), inbox_(std::move(inbox)), warn_(std::move(warn)) {}
+    : codec_(wire::codec_of(topic)),
+      topic_(topic.name),
+      keeps_newest_(topic.qos.depth == 1),
+      inbox_(std::move(inbox)),
+      warn_(std::move(warn)) {}
 
 void DdsReader::on_data_available(dds::DataReader* reader) {
   wire::WireBytes bytes;

@@ -42,7 +42,8 @@ class DdsReader : public eprosima::fastdds::dds::DataReaderListener {
   DdsReader(const TopicInfo& topic, std::shared_ptr<Inbox> inbox, Participant::Warn warn);
 
   std::uint64_t undecodable() const { return undecodable_; }
-  std::uint64_t overflowed() const { return inbox_->overflowed(); }
+  /// 0 where only the newest message counts.
+  std::uint64_t overflowed() const { return keeps_newest_ ? 0 : inbox_->overflowed(); }
 
  private:
   void on_data_available(eprosima::fastdds::dds::DataReader* reader) override;
@@ -53,6 +54,7 @@ class DdsReader : public eprosima::fastdds::dds::DataReaderListener {
 
   const wire::WireCodec& codec_;
   std::string topic_;
+  bool keeps_newest_;
   std::shared_ptr<Inbox> inbox_;
   Participant::Warn warn_;
   std::atomic<std::uint64_t> undecodable_ = 0;

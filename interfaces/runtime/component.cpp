@@ -55,6 +55,7 @@ void Component::go_to_emergency(std::string reason) {
   if (state_ == LifecycleState::kStopping) return;
   if (!in_emergency()) context_.log.warn("emergency: " + reason);
   detail_ = std::move(reason);
+  failed_ns_.reset();
   enter(LifecycleState::kEmergency);
 }
 
@@ -76,7 +77,10 @@ void Component::compute() {
 }
 
 void Component::emergency() {
-  if (in_emergency()) guarded("emergency()", [this] { node_->emergency(); });
+  if (!in_emergency()) return;
+  guarded("emergency()", [this] { node_->emergency(); });
+  const bool rested = failed_ns_ && seconds(context_.clock.now_ns() - *failed_ns_) >= config_.rest_s;
+  if (rested) go_to_restore();
 }
 
 void Component::restore() {
@@ -101,6 +105,7 @@ void Component::fail(const std::string& where, const std::exception_ptr& excepti
   context_.log.error(reason);
   if (state_ == LifecycleState::kStopping) return;
   detail_ = reason;
+  failed_ns_ = context_.clock.now_ns();
   enter(LifecycleState::kEmergency);
 }
 

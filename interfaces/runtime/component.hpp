@@ -5,6 +5,7 @@
 #include <exception>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "interfaces/model/health.hpp"
@@ -20,6 +21,7 @@ struct ComponentConfig {
   std::string name;
   PeriodConfig period;
   double heartbeat_s = 0.5;  ///< wall time; > 0
+  double rest_s = 1.0;       ///< after an exception; then the component is restored
   std::string host;
   std::uint32_t pid = 0;
   std::function<StampNs()> wall_now_ns;  ///< for the heartbeat's stamp; without it 0
@@ -28,8 +30,8 @@ struct ComponentConfig {
 /// Drives one node through its life, deployed and composed alike: initialize once, compute() every period;
 /// after go_to_emergency() emergency() every period; after go_to_restore() restore() once and compute()
 /// again. An exception from anything but the node's constructor and initialize() is logged and enters
-/// emergency. Whether and when to restore is up to the node's emergency(): the default stays, and the
-/// heartbeat says why.
+/// emergency, which ends after a rest: one bad message must not end a component's work. An emergency that
+/// the node asked for lasts until its emergency() ends it. The heartbeat says why there is one.
 ///
 /// All calls on the executor's thread, but for construction and destruction.
 class Component : public Lifecycle {
@@ -74,6 +76,7 @@ class Component : public Lifecycle {
   std::unique_ptr<Node> node_;
   LifecycleState state_ = LifecycleState::kInitializing;
   std::string detail_;
+  std::optional<StampNs> failed_ns_;  ///< of the exception that led to this emergency
   std::uint64_t cycles_ = 0;
   int failures_ = 0;
 };

@@ -133,7 +133,7 @@ class Process {
   }
 
   void report_dropped() {
-    const std::uint64_t dropped = executor_.dropped();
+    const std::uint64_t dropped = executor_.dropped() + bus_->dropped();
     if (dropped == reported_dropped_) return;
     log_.warn("too slow: " + std::to_string(dropped - reported_dropped_) + " messages dropped");
     reported_dropped_ = dropped;
