@@ -57,7 +57,7 @@ class WholeDemo(Finished):
             wait_for(lambda: len(processes_of(demo.domain)) == len(COMPONENTS) or demo.process.poll() is not None, 60, "seven processes")
             self.assertEqual(demo.finish(400), 0, demo.text())
             report = demo.report()
-            self.assert_explored(report)
+            self.assert_explored(report, demo.text())
             self.assert_agrees_with_composed(report)
             self.assert_files(demo.folder)
             self.assertIn("room 1", demo.text())
@@ -101,7 +101,7 @@ class Survival(Finished):
             wait_for(lambda: demo.said("room 1 fixed") or demo.process.poll() is not None, 200, "room 1")
             self.kill(demo, "explorer")
             self.assertEqual(demo.finish(400), 0, demo.text())
-            self.assert_explored(demo.report())
+            self.assert_explored(demo.report(), demo.text())
 
     def kill(self, demo, component):
         old = processes_of(demo.domain)[component]

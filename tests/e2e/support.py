@@ -68,9 +68,10 @@ def free_domain():
 
 
 class Finished(unittest.TestCase):
-    def assert_explored(self, report):
-        self.assertTrue(report["finished"])
+    def assert_explored(self, report, log=""):
+        """`log`: what the run printed, for whoever has to find out why."""
+        self.assertTrue(report["finished"], log)
         self.assertEqual(report["collisions"], 0)
         metrics = report["metrics"]
         for rate in ("room_precision", "room_recall", "door_precision", "door_recall"):
-            self.assertEqual(metrics[rate], 1.0, f"{rate}: {json.dumps(report, indent=1)}")
+            self.assertEqual(metrics[rate], 1.0, f"{rate}: {json.dumps(report, indent=1)}\n{log}")

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/enfilade/composed_run.hpp"
 
+#include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <filesystem>
+#include <functional>
+#include <utility>
 
 #include "components/explorer/node/explorer_config.hpp"
 #include "components/explorer/node/explorer_node.hpp"
@@ -34,15 +38,41 @@ void add(ComposedSystem& system, const std::string& name, const Settings& settin
              [config](const NodeContext& context) { return std::make_unique<NodeType>(context, config); });
 }
 
-void add_all(ComposedSystem& system, const Settings& settings) {
-  add<simulator::SimulatorNode, simulator::SimulatorConfig>(system, "simulator", settings);
-  add<motor_control::MotorControlNode, motor_control::MotorControlConfig>(system, "motorControl", settings);
-  add<laser_3d::Laser3DNode, laser_3d::Laser3DConfig>(system, "laser3D", settings);
-  add<grid_builder::GridBuilderNode, grid_builder::GridBuilderConfig>(system, "gridBuilder", settings);
-  add<room_detector::RoomDetectorNode, room_detector::RoomDetectorNodeConfig>(system, "roomDetector",
-                                                                              settings);
-  add<topo_graph::TopoGraphNode, topo_graph::TopoGraphConfig>(system, "topoGraph", settings);
-  add<explorer::ExplorerNode, explorer::ExplorerConfig>(system, "explorer", settings);
+constexpr double kRestart_s = 1.0;
+
+using AddComponent = std::function<void(ComposedSystem&, const std::string&, const Settings&)>;
+
+/// In the order that breaks ties in time.
+const std::vector<std::pair<std::string, AddComponent>>& components() {
+  static const std::vector<std::pair<std::string, AddComponent>> all{
+      {"simulator", add<simulator::SimulatorNode, simulator::SimulatorConfig>},
+      {"motorControl", add<motor_control::MotorControlNode, motor_control::MotorControlConfig>},
+      {"laser3D", add<laser_3d::Laser3DNode, laser_3d::Laser3DConfig>},
+      {"gridBuilder", add<grid_builder::GridBuilderNode, grid_builder::GridBuilderConfig>},
+      {"roomDetector", add<room_detector::RoomDetectorNode, room_detector::RoomDetectorNodeConfig>},
+      {"topoGraph", add<topo_graph::TopoGraphNode, topo_graph::TopoGraphConfig>},
+      {"explorer", add<explorer::ExplorerNode, explorer::ExplorerConfig>}};
+  return all;
+}
+
+void add_component(ComposedSystem& system, const std::string& name, const Settings& settings) {
+  for (const auto& [known, add_it] : components()) {
+    if (known == name) add_it(system, name, settings);
+  }
+}
+
+/// Runs through the deaths that come before the end.
+void run_with_kills(ComposedSystem& system, const ComposedRunOptions& options, const Settings& settings,
+                    const std::function<bool()>& ended) {
+  std::vector<Kill> kills = options.kills;
+  std::stable_sort(kills.begin(), kills.end(), [](const Kill& a, const Kill& b) { return a.at_s < b.at_s; });
+  for (const Kill& kill : kills) {
+    if (system.run_until(ended, from_seconds(kill.at_s))) return;
+    system.kill(kill.component);
+    if (system.run_until(ended, from_seconds(kill.at_s + kRestart_s))) return;
+    add_component(system, kill.component, settings);
+  }
+  system.run_until(ended, from_seconds(options.max_sim_time_s));
 }
 
 Settings settings_of(const ComposedRunOptions& options) {
@@ -54,15 +84,32 @@ Settings settings_of(const ComposedRunOptions& options) {
 
 }  // namespace
 
+Kill parse_kill(const std::string& text) {
+  const std::size_t at = text.find('@');
+  const std::string name = text.substr(0, at);
+  const bool known =
+      name != "simulator" && std::any_of(components().begin(), components().end(),
+                                         [&](const auto& entry) { return entry.first == name; });
+  double at_s = 0.0;
+  const char* const begin = at == std::string::npos ? nullptr : text.data() + at + 1;
+  const char* const end = text.data() + text.size();
+  const bool number = begin && std::from_chars(begin, end, at_s).ptr == end && begin != end && at_s >= 0.0;
+  if (!known || !number) {
+    throw ConfigError("--kill " + text +
+                      ": give COMPONENT@SECONDS with one of the six components, e.g. explorer@90");
+  }
+  return {name, at_s};
+}
 report::Report run_composed(const ComposedRunOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   const simulator::WorldTruth truth = simulator::load_world(options.world).truth;
   ComposedConfig config{.log = options.log};
   if (options.through_wire) config.through_wire = wire::through_wire;
   ComposedSystem system(config);
-  add_all(system, settings_of(options));
+  const Settings settings = settings_of(options);
+  for (const auto& [name, add_it] : components()) add_it(system, name, settings);
   report::RunRecorder recorder(system.tool_bus(), truth.T_world_start);
-  system.run_until([&] { return recorder.record().ended(); }, from_seconds(options.max_sim_time_s));
+  run_with_kills(system, options, settings, [&] { return recorder.record().ended(); });
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   return report::make_report(recorder.record(), truth, options.world, wall.count());
 }

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "interfaces/runtime/component_log.hpp"
 #include "tools/enfilade/report/report.hpp"
@@ -10,12 +11,22 @@
 
 namespace enfilade {
 
+/// One death in a composed run, as by SIGKILL; a supervisor starts the component again a second later.
+struct Kill {
+  std::string component;
+  double at_s = 0.0;
+};
+
+/// From "COMPONENT@SECONDS"; throws ConfigError.
+Kill parse_kill(const std::string& text);
+
 struct ComposedRunOptions {
   std::string world;                  ///< file
   std::optional<std::uint64_t> seed;  ///< of the simulator; none = as configured
   Settings settings;
   bool through_wire = false;  ///< every message makes a trip through its IDL type
   double max_sim_time_s = 3600.0;
+  std::vector<Kill> kills;
   LogSink log;
 };
 

@@ -13,7 +13,7 @@ namespace {
 struct RunArguments {
   std::string world, json, out;
   std::uint64_t seed = 0;
-  std::vector<std::string> settings;
+  std::vector<std::string> settings, kills;
   bool wire = false, quiet = false;
   double max_sim_time_s = 3600.0;
 };
@@ -29,6 +29,7 @@ int run(const RunArguments& arguments, bool seed_given) {
                              .through_wire = arguments.wire,
                              .max_sim_time_s = arguments.max_sim_time_s};
   if (seed_given) options.seed = arguments.seed;
+  for (const std::string& kill : arguments.kills) options.kills.push_back(parse_kill(kill));
   if (!arguments.quiet) options.log = print_event;
   const report::Report report = run_composed(options);
   if (!arguments.out.empty()) report::write_files(report, arguments.out);
@@ -59,6 +60,11 @@ Verb add_run(CLI::App& app) {
   command
       ->add_option("--max-sim-time", arguments->max_sim_time_s, "Give up after this many simulated seconds")
       ->check(CLI::PositiveNumber);
+  command
+      ->add_option(
+          "--kill", arguments->kills,
+          "COMPONENT@SECONDS: kill a component then, and start it again a second later; may be repeated")
+      ->allow_extra_args(false);
   command->add_flag("--wire", arguments->wire, "Serialise every message through its IDL type on the way");
   command->add_flag("--quiet", arguments->quiet, "Print only the closing table");
   return {command, [arguments, seed] { return run(*arguments, seed->count() > 0); }};

@@ -67,6 +67,19 @@ TEST_F(ComponentTest, ExceptionFromComputeIsOneLineAndEmergency) {
   EXPECT_EQ(system.component("explorer").failures(), 1);
 }
 
+TEST_F(ComponentTest, AnExceptionIsGotOverAfterARest) {
+  add({.compute =
+           [&](const NodeContext& context) {
+             story += 'c';
+             if (seconds(context.clock.now_ns()) < 0.15) throw std::runtime_error("one bad message");
+           },
+       .emergency = letter('e'),
+       .restore = letter('r')});
+  run_to(1.75);  // fails at 0.1 s; emergency() at 0.5, 1.0 and 1.5 s, the first that is a second later
+  EXPECT_EQ(story, "ceeercc");
+  EXPECT_EQ(system.component("explorer").state(), LifecycleState::kComputing);
+}
+
 TEST_F(ComponentTest, ExceptionFromAHandlerIsEmergencyToo) {
   add({.initialize = [](const NodeContext& context) {
     context.bus.subscribe<Odometry>(topics::kOdom,
