@@ -9,7 +9,7 @@ namespace {
 /// OctoMap counts cells from -32768 on.
 constexpr int kKeyOfCellZero = 32768;
 
-octomap::OcTreeKey key_of(const CellIndex& c) {
+octomap::OcTreeKey octree_key_of(const CellIndex& c) {
   const auto key = [](int i) { return static_cast<octomap::key_type>(i + kKeyOfCellZero); };
   return {key(c.x), key(c.y), key(c.z)};
 }
@@ -29,7 +29,7 @@ std::unique_ptr<octomap::OcTree> make_octree(const ZoneGridConfig& config) {
 std::unique_ptr<octomap::OcTree> to_octree(const ZoneGrid& grid) {
   auto tree = make_octree(grid.config());
   grid.for_each_known(
-      [&tree](const CellIndex& index, float log_odds) { tree->setNodeValue(key_of(index), log_odds, true); });
+      [&tree](const CellIndex& index, float log_odds) { tree->setNodeValue(octree_key_of(index), log_odds, true); });
   tree->updateInnerOccupancy();
   tree->prune();
   return tree;

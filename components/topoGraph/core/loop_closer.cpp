@@ -8,11 +8,10 @@
 #include <Eigen/LU>
 
 #include "components/topoGraph/core/optimise/marginals.hpp"
+#include "interfaces/geometry/square.hpp"
 
 namespace enfilade::topo_graph {
 namespace {
-
-double square(double value) { return value * value; }
 
 double log_normal(const Eigen::Vector3d& off, const Eigen::Matrix3d& covariance) {
   const double determinant = (2.0 * kPi * covariance).determinant();

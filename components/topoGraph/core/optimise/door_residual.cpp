@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "interfaces/geometry/square.hpp"
+
 namespace enfilade::topo_graph {
 namespace {
 
@@ -10,8 +12,6 @@ using Vector2 = Eigen::Vector2d;
 using PointJacobian = Eigen::Matrix<double, 2, 5>;
 
 Vector2 left_of(const Vector2& v) { return {-v.y(), v.x()}; }
-
-double square(double value) { return value * value; }
 
 /// v turned by whole quarters, exactly.
 Vector2 quarter_turned(Vector2 v, int quarters) {

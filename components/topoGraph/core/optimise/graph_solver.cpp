@@ -5,11 +5,10 @@
 #include <stdexcept>
 
 #include "components/topoGraph/core/optimise/spanning_tree.hpp"
+#include "interfaces/geometry/square.hpp"
 
 namespace enfilade::topo_graph {
 namespace {
-
-double square(double value) { return value * value; }
 
 double cauchy(double squared_norm, double scale) {
   return square(scale) * std::log1p(squared_norm / square(scale));

@@ -8,6 +8,7 @@
 #include <Eigen/LU>
 
 #include "components/topoGraph/core/optimise/door_residual.hpp"
+#include "interfaces/geometry/square.hpp"
 
 namespace enfilade::topo_graph {
 namespace {
@@ -15,8 +16,6 @@ namespace {
 constexpr double kLeverM = 10.0;          // at which an error of direction weighs against one of position
 constexpr double kGate = 16.3;            // 99.9 % of chi-squared with three degrees of freedom
 constexpr std::size_t kMaxSettled = 400;  // rooms looked at around a loop door
-
-double square(double value) { return value * value; }
 
 struct Edge {
   std::size_t to = 0;
