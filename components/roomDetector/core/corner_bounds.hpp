@@ -32,6 +32,8 @@ class CornerBounds {
   void build(const HoughSpace& space, int angle, const HoughSpace::Bins& robot, const Reaches& reaches,
              int score);
 
+  /// How much there is to sum up.
+  int bins() const { return static_cast<int>(strips_.size()); }
   /// No rectangle of the plane scores more.
   int bound() const { return bound_; }
   /// Lines farther out than this are no part of a rectangle with the score that was asked for.
@@ -44,17 +46,18 @@ class CornerBounds {
 
   /// The lines on one side of the robot, with their votes on both sides of its other axis.
   struct Side {
-    int lines = 0, blocks = 0;
+    int lines = 0;
+    int blocks = 0;                         // of lines, kBlock in each
     std::array<int, 2> strips{};            // where those before and behind the axis begin in strips_
     std::array<std::vector<int>, 2> walls;  // most of any line: by block along, then block of lines
     std::vector<int> most;                  // over all rectangles with a line of the block
   };
 
-  void lay_out(const HoughSpace& space, const HoughSpace::Bins& robot, const Reaches& reaches);
-  void lay_out_lines(int axis, int bins, int robot);
-  void lay_out_along(int side, int bins, int robot);
+  void lay_out(int bins, const Reaches& reaches, int margin);
+  void lay_out_inside(int axis, int bins, int margin);
+  void lay_out_lines(int axis, int bins);
+  void lay_out_along(int side, int bins);
   void cast(const HoughSpace& space, int angle, const HoughSpace::Bins& robot);
-  void cast_inside(const HoughSpace& space, int d, int p, int count);
   void sum_strips(Side& side, int half, int blocks_along, int toll);
   void add_corners(const HoughSpace& space, int angle, const HoughSpace::Bins& robot, int d_side, int p_side);
   int blocks_along(int side, int half) const { return sides_[side < kD41 ? kD41 + half : half].blocks; }
@@ -64,12 +67,14 @@ class CornerBounds {
 
   std::array<Side, 4> sides_;
   std::vector<int> strips_;
-  std::array<std::vector<int>, 2> line_;                    // by axis: of each bin, its place in a strip
-  std::array<std::vector<int>, 4> along_;                   // by side: of each bin across, its strip
-  std::array<std::array<std::vector<int>, 2>, 2> inside_;   // by quadrant: interior votes by block
+  std::array<std::vector<int>, 2> line_;       // by axis: of each bin from the robot's, its place in a strip
+  std::array<std::vector<int>, 4> along_;      // by side: of each bin across, likewise, its strip
+  std::array<std::vector<int>, 2> inside_of_;  // by axis: its row or column in inside_
+  std::vector<int> inside_;                    // interior votes by block of d, block of p
+  int inside_width_ = 0, margin_ = -1;
   std::array<std::array<std::vector<int>, 2>, 2> corners_;  // by quadrant: bounds by block of d, block of p
   std::vector<int> votes_before_, charges_before_;
-  Reaches best_, reaches_;
+  Reaches laid_out_, best_, reaches_;
   int bound_ = 0;
 };
 

@@ -256,7 +256,9 @@ void CornerPlane::search(const PlaneLimits& limits, Incumbent& best) {
         return;
       }
       ++best.expansions;
-      if (best.may_lose_to(bound_of_pair(i, l), first)) solve_pair(i, l, limits, best);
+      if (!best.may_lose_to(bound_of_pair(i, l), first)) continue;
+      best.expansions += 4;
+      solve_pair(i, l, limits, best);
     }
   }
 }

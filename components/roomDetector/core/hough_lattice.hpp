@@ -47,7 +47,13 @@ class HoughLattice {
   int bins() const { return 2 * half_; }
   double step_m() const { return step_m_; }
   /// Index of the bin that holds d (or p); outside [0, bins()) where the space ends.
-  int bin(double d_m) const { return static_cast<int>(d_m * bins_per_m_ + (half_ + kShift)) - kShift; }
+  int bin(double d_m) const { return binning()(d_m); }
+  struct Binning {
+    static constexpr int kShift = 1 << 20;  // so that cutting off rounds down
+    double bins_per_m, shift;
+    int operator()(double d_m) const { return static_cast<int>(d_m * bins_per_m + shift) - kShift; }
+  };
+  Binning binning() const { return {bins_per_m_, static_cast<double>(half_ + Binning::kShift)}; }
   /// Centre of a bin.
   double value_m(int bin) const { return (bin - half_ + 0.5) * step_m_; }
   bool holds(int bin) const { return bin >= 0 && bin < bins(); }
@@ -61,8 +67,6 @@ class HoughLattice {
   }
 
  private:
-  static constexpr int kShift = 1 << 20;  // so that cutting off rounds down
-
   double step_m_;
   double bins_per_m_;
   double theta_step_rad_;

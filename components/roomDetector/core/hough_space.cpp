@@ -43,17 +43,20 @@ void HoughSpace::keep_wall_vote(std::size_t index, const Vote& vote) {
   if (vote.occupied == 0 && vote.interior == 0) {
     if (slot < 0) return;
     wall_votes_[static_cast<std::size_t>(slot)] = wall_votes_.back();
-    wall_vote_of_[wall_votes_.back().index] = slot;
+    voter_[static_cast<std::size_t>(slot)] = voter_.back();
+    wall_vote_of_[voter_.back()] = slot;
     wall_votes_.pop_back();
+    voter_.pop_back();
     slot = -1;
     return;
   }
   if (slot < 0) {
     slot = static_cast<std::int32_t>(wall_votes_.size());
     wall_votes_.emplace_back();
+    voter_.push_back(index);
   }
   const Point2 q = vote.position - origin_;
-  wall_votes_[static_cast<std::size_t>(slot)] = {q.x(), q.y(), vote.occupied, vote.interior, index};
+  wall_votes_[static_cast<std::size_t>(slot)] = {q.x(), q.y(), vote.occupied, vote.interior};
 }
 
 void HoughSpace::add(const Point2& position, int occupied) {

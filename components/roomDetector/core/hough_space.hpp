@@ -63,17 +63,24 @@ class HoughSpace {
     return bins_at(angle, q.x(), q.y());
   }
   /// The same from the origin.
-  Bins bins_at(int angle, double x_m, double y_m) const {
+  struct Binning {
+    HoughLattice::Binning bin;
+    double cos, sin;
+    Bins operator()(double x_m, double y_m) const {
+      return {bin(x_m * cos + y_m * sin), bin(y_m * cos - x_m * sin)};
+    }
+  };
+  Binning binning(int angle) const {
     const Direction& n = directions_[static_cast<std::size_t>(angle)];
-    return {lattice_.bin(x_m * n.cos + y_m * n.sin), lattice_.bin(y_m * n.cos - x_m * n.sin)};
+    return {lattice_.binning(), n.cos, n.sin};
   }
+  Bins bins_at(int angle, double x_m, double y_m) const { return binning(angle)(x_m, y_m); }
   Rectangle rectangle(const BinRectangle& r) const;
 
   /// A vote that speaks for a wall or against an interior, and nothing of the others.
   struct WallVote {
     double x_m, y_m;  ///< from the origin
     int occupied, interior;
-    std::size_t index;
   };
   const std::vector<WallVote>& wall_votes() const { return wall_votes_; }
   const FreeMap& free_map() const { return free_map_; }
@@ -108,6 +115,7 @@ class HoughSpace {
   std::vector<Vote> votes_;
   std::vector<int> sums_by_d_, sums_by_p_;
   std::vector<WallVote> wall_votes_;
+  std::vector<std::size_t> voter_;          // of each wall vote
   std::vector<std::int32_t> wall_vote_of_;  // by vote; -1 = none
   FreeMap free_map_;
   Penalties penalties_;

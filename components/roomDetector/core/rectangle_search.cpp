@@ -77,7 +77,7 @@ RectangleSearch::RectangleSearch(const SearchConfig& config) : config_(config) {
 
 std::optional<SearchResult> RectangleSearch::find_best(const HoughSpace& space,
                                                        const std::optional<Point2>& robot) {
-  Incumbent best{.score = config_.least_score - 1, .max_expansions = config_.max_expansions};
+  Incumbent best{.rectangle = {}, .score = config_.least_score - 1, .max_expansions = config_.max_expansions};
   begin_with_last(space, robot, best);
   if (robot && config_.robot_inside)
     search_around(space, *robot, best);
@@ -104,7 +104,7 @@ void RectangleSearch::search_anywhere(const HoughSpace& space, Incumbent& best) 
   const PlaneLimits limits = limits_of(space, 0, config_, std::nullopt);
   std::vector<Plane> planes;
   for (int a = 0; a < space.lattice().angles(); ++a)
-    planes.push_back({bound_of(space, a, limits).total(), a});
+    planes.push_back({bound_of(space, a, limits).total(), a, kNever, {}});
   std::sort(planes.rbegin(), planes.rend());
   for (const Plane& plane : planes) {
     if (!best.may_lose_to(plane.bound, {plane.angle, 0, 0, 0, 0})) continue;
@@ -122,7 +122,7 @@ void RectangleSearch::search_anywhere(const HoughSpace& space, Incumbent& best) 
 void RectangleSearch::look_into(const HoughSpace& space, int angle, const HoughSpace::Bins& robot,
                                 const Reaches& reaches, const PlaneLimits& limits, Incumbent& best) {
   corners_.build(space, angle, robot, reaches);
-  best.expansions += 1 + (reaches.d12 + reaches.d34) * (reaches.d41 + reaches.d23) / 256;
+  best.expansions += 1 + (reaches.d12 + reaches.d34) * (reaches.d41 + reaches.d23) / 128;
   ++best.planes_opened;
   corners_.search(limits, best);
 }
@@ -137,6 +137,7 @@ void RectangleSearch::search_around(const HoughSpace& space, const Point2& robot
                      bound_by_sums(space.sums_by_p(a), bins.p, reaches.d41, reaches.d23),
                  a, kNever, reaches});
   }
+  int highest = last_ ? best.score : kNever;  // bound from corners
   while (!planes.empty()) {
     const Plane plane = planes.top();
     planes.pop();
@@ -156,10 +157,10 @@ void RectangleSearch::search_around(const HoughSpace& space, const Point2& robot
     }
     const int score = best.score;
     bounds_.build(space, plane.angle, bins, plane.reaches, score);
-    best.expansions += 40;
+    best.expansions += 1 + bounds_.bins() / 512 + static_cast<int>(space.wall_votes().size() / 64);
     if (!best.may_lose_to(bounds_.bound(), {plane.angle, 0, 0, 0, 0})) continue;
-    if (best.score < config_.least_score)
-      look_into(space, plane.angle, bins, bounds_.best_reaches(), limits, best);
+    if (bounds_.bound() > highest) look_into(space, plane.angle, bins, bounds_.best_reaches(), limits, best);
+    highest = std::max(highest, bounds_.bound());
     planes.push({bounds_.bound(), plane.angle, score, bounds_.reaches()});
   }
 }

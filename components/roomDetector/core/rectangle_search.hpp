@@ -17,7 +17,7 @@ struct SearchConfig {
   double side_max_m = 15.0;
   bool robot_inside = true;     ///< only rectangles with the robot's bin strictly inside count
   int least_score = 1;          ///< what scores less is no room
-  int max_expansions = 15'000;  ///< work after which the search gives up proving, about 1 µs each
+  int max_expansions = 20'000;  ///< work after which the search gives up proving, about 1 µs each
 };
 
 struct SearchResult {
