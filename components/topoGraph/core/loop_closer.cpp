@@ -184,6 +184,7 @@ std::optional<double> LoopCloser::door_nats(const TopologicalMap& map, const Roo
         door->door->id != prediction.via_door)
       return std::nullopt;
     if (!door) nats -= config_.extra_door_nats;
+    if (door && !door->door->other_face) nats += config_.open_door_nats;
   }
   for (const DoorEstimate& door : model.doors)
     if (!(prediction.entrance && door.gap == *prediction.entrance) && !look_up(door.gap))

@@ -14,11 +14,13 @@
 namespace enfilade::topo_graph {
 
 struct LoopCloserConfig {
-  double gate_sigma = 3.0;         ///< of predicted pose and of sizes
-  double accept_nats = 5.0;        ///< by which "the same room" must be likelier than "a new room"
-  double margin_nats = 3.0;        ///< and than any other stored room
-  double space_m2 = 200.0;         ///< in which a new room may lie as likely here as there
-  double door_match_m = 0.35;      ///< along a wall, between a door seen now and one stored
+  double gate_sigma = 3.0;     ///< of predicted pose and of sizes
+  double accept_nats = 5.0;    ///< by which "the same room" must be likelier than "a new room"
+  double margin_nats = 3.0;    ///< and than any other stored room
+  double space_m2 = 200.0;     ///< in which a new room may lie as likely here as there
+  double door_match_m = 0.35;  ///< along a wall, between a door seen now and one stored
+  double open_door_nats =
+      2.5;  ///< for, where the robot came in by a door that the stored room shows unresolved
   double extra_door_nats = 3.0;    ///< against, for a door where the stored room shows a wall
   double missing_door_nats = 2.0;  ///< against, for a stored door that is not seen
   double overlap_iou = 0.5;        ///< from this overlap on, rooms of other size or place are looked at too

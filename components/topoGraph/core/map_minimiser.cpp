@@ -18,6 +18,13 @@ void move_zone(Session& session, const Pose2& before, const Pose2& after) {
   if (session.reference) session.reference = motion * *session.reference;
 }
 
+void take_over(const GraphSolution& solution, const MapProblem& problem, TopoState& state) {
+  const auto room = anchor(state.session.zone);
+  const auto before = room ? std::optional(get_room(state, *room).T_map_room) : std::nullopt;
+  apply(solution, problem, state.map);
+  if (before) move_zone(state.session, *before, get_room(state, *room).T_map_room);
+}
+
 }  // namespace
 
 MapMinimiser::MapMinimiser(const MapMinimiserConfig& config, const UncertaintyConfig& uncertainty)
@@ -26,10 +33,15 @@ MapMinimiser::MapMinimiser(const MapMinimiserConfig& config, const UncertaintyCo
     throw std::invalid_argument("MapMinimiser: withdraw_weight must be in [0, 1)");
 }
 
-Minimised MapMinimiser::minimise(TopoState& state) const {
+Minimised MapMinimiser::minimise(TopoState& state, const std::vector<DoorId>& fresh) const {
   Minimised result;
   if (state.map.rooms.size() < 2) return result;
   result.moved = true;
+  for (const DoorId door : fresh) {
+    if (accept(state, door)) continue;
+    withdraw(state, door);
+    result.withdrawn.push_back(door);
+  }
   for (;;) {
     const TopoState before = state;
     const std::vector<DoorId> doubtful = minimise_once(state);
@@ -38,6 +50,21 @@ Minimised MapMinimiser::minimise(TopoState& state) const {
     withdraw(state, doubtful.front());
     result.withdrawn.push_back(doubtful.front());
   }
+}
+
+/// A long loop may close with an error of many sigmas of its door alone, which a robust loss would ignore: it
+/// is closed by force first, and judged by what that costs everything else.
+bool MapMinimiser::accept(TopoState& state, DoorId fresh) const {
+  MapProblem closed = map_problem(state.map, uncertainty_), open = closed;
+  const auto it = std::find(closed.doors.begin(), closed.doors.end(), fresh);
+  if (it == closed.doors.end()) return true;
+  const auto index = it - closed.doors.begin();
+  closed.problem.doors[static_cast<std::size_t>(index)].loop = false;
+  open.problem.doors.erase(open.problem.doors.begin() + index);
+  const GraphSolution solution = solver_->solve(closed.problem);
+  if (solution.final_cost - solver_->solve(open.problem).final_cost > config_.withdraw_nats) return false;
+  take_over(solution, closed, state);
+  return true;
 }
 
 /// The inferred doors that the solution disbelieves, the worst one first.
@@ -50,10 +77,7 @@ std::vector<DoorId> MapMinimiser::minimise_once(TopoState& state) const {
     if (problem.problem.doors[i].loop && weight < config_.withdraw_weight)
       doubtful.emplace_back(weight, problem.doors[i]);
   }
-  const auto room = anchor(state.session.zone);
-  const std::optional<Pose2> before = room ? std::optional(get_room(state, *room).T_map_room) : std::nullopt;
-  apply(solution, problem, state.map);
-  if (before) move_zone(state.session, *before, get_room(state, *room).T_map_room);
+  take_over(solution, problem, state);
   std::sort(doubtful.begin(), doubtful.end());
   std::vector<DoorId> doors;
   for (const auto& [weight, door] : doubtful) doors.push_back(door);

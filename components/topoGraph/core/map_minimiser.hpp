@@ -12,7 +12,9 @@ namespace enfilade::topo_graph {
 
 struct MapMinimiserConfig {
   SolverConfig solver;
-  double withdraw_weight = 0.1;  ///< an inferred door that keeps less of its pull is taken back
+  double withdraw_nats =
+      15.0;  ///< a new inferred door that strains the rest of the map by more is taken back
+  double withdraw_weight = 0.1;  ///< as is an older one that keeps less of its pull
 };
 
 struct Minimised {
@@ -27,10 +29,12 @@ class MapMinimiser {
   /// Throws std::invalid_argument where the configuration makes no sense.
   MapMinimiser(const MapMinimiserConfig& config, const UncertaintyConfig& uncertainty);
 
-  /// The zone's frame and reference move with the room in which the robot is, or from which it came.
-  Minimised minimise(TopoState& state) const;
+  /// `fresh`: inferred doors that are new. The zone's frame and reference move with the room in which the
+  /// robot is, or from which it came.
+  Minimised minimise(TopoState& state, const std::vector<DoorId>& fresh) const;
 
  private:
+  bool accept(TopoState& state, DoorId fresh) const;
   std::vector<DoorId> minimise_once(TopoState& state) const;
 
   MapMinimiserConfig config_;

@@ -39,7 +39,9 @@ FixRoomOutcome TopoGraph::fix_room(const FixRoomRequest& request, StampNs now_ns
 void TopoGraph::close_loops(FixRoomOutcome& outcome) {
   const std::size_t came_through = outcome.common_door ? 1 : 0;
   if (!outcome.covered && outcome.joined_doors.size() <= came_through) return;
-  const Minimised minimised = minimiser_.minimise(state_);
+  std::vector<DoorId> fresh = outcome.joined_doors;
+  std::erase_if(fresh, [this](DoorId door) { return get_door(state_, door).driven; });
+  const Minimised minimised = minimiser_.minimise(state_, fresh);
   outcome.minimised = minimised.moved;
   outcome.withdrawn = minimised.withdrawn;
   if (state_.session.zone.room) outcome.reply.room = *state_.session.zone.room;
@@ -145,7 +147,7 @@ void TopoGraph::review(const RoomEstimate& estimate, ObserveOutcome& outcome) {
 void TopoGraph::confirm_door(ObserveOutcome& outcome) {
   misfits_ = 0;
   get_door(state_, *state_.session.zone.via_door).driven = true;
-  outcome.minimised = minimiser_.minimise(state_).moved;
+  outcome.minimised = minimiser_.minimise(state_, {}).moved;
   ++state_.map.version;
 }
 

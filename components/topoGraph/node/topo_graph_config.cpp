@@ -45,6 +45,7 @@ void bind(ConfigBinder& c, LoopCloserConfig& config) {
   c.number("margin_nats", config.margin_nats, 0.0, 100.0);
   c.number("space_m2", config.space_m2, 1.0, 1e6);
   c.number("door_match_m", config.door_match_m, 0.05, 2.0);
+  c.number("open_door_nats", config.open_door_nats, 0.0, 100.0);
   c.number("extra_door_nats", config.extra_door_nats, 0.0, 100.0);
   c.number("missing_door_nats", config.missing_door_nats, 0.0, 100.0);
   c.number("overlap_iou", config.overlap_iou, 0.05, 1.0);
@@ -60,6 +61,7 @@ void bind(ConfigBinder& c, MapMinimiserConfig& config) {
   c.integer("max_iterations", config.solver.max_iterations, 1, 10000);
   c.number("tolerance", config.solver.tolerance, 1e-12, 1.0);
   c.integer("sgd_iterations", config.solver.sgd_iterations, 1, 100000);
+  c.number("withdraw_nats", config.withdraw_nats, 0.0, 1000.0);
   c.number("withdraw_weight", config.withdraw_weight, 0.0, 0.99);
 }
 
