@@ -17,4 +17,11 @@ Pose2 to_pose2(const Transform3& t) {
   return {t.x_m, t.y_m, yaw};
 }
 
+std::optional<Pose2> find_zone_odom(const TransformList& list) {
+  for (const StampedTransform& t : list.transforms) {
+    if (t.frame_id == "odom" && t.child_frame_id == "zone") return to_pose2(t.transform).inverse();
+  }
+  return std::nullopt;
+}
+
 }  // namespace enfilade

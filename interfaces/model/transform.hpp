@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,5 +38,9 @@ struct TransformList {
 
   bool operator==(const TransformList&) const = default;
 };
+
+/// T_zone_odom, if gridBuilder tells it in this list: odometry drifts in the frame of the zone, so `zone`
+/// hangs below `odom` on tf.
+std::optional<Pose2> find_zone_odom(const TransformList& list);
 
 }  // namespace enfilade

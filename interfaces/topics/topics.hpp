@@ -33,7 +33,7 @@ inline constexpr Topic<PointCloud>    kPoints     {{"rt/points",       "sensor_m
 inline constexpr Topic<PointCloud>    kPointsFree {{"rt/points_free",  "sensor_msgs::msg::dds_::PointCloud2_",   kBulk,    40, "laser3D", "gridBuilder"}};
 inline constexpr Topic<JointStates>   kJointStates{{"rt/joint_states", "sensor_msgs::msg::dds_::JointState_",    kStream, 200, "motorControl", "laser3D"}};
 inline constexpr Topic<Odometry>      kOdom       {{"rt/odom",         "nav_msgs::msg::dds_::Odometry_",         kStream,  50, "motorControl", "gridBuilder explorer"}};
-inline constexpr Topic<TransformList> kTf         {{"rt/tf",           "tf2_msgs::msg::dds_::TFMessage_",        kStream,  50, "motorControl topoGraph laser3D", ""}};
+inline constexpr Topic<TransformList> kTf         {{"rt/tf",           "tf2_msgs::msg::dds_::TFMessage_",        kStream,  50, "motorControl topoGraph laser3D gridBuilder", "explorer topoGraph"}};
 inline constexpr Topic<TransformList> kTfStatic   {{"rt/tf_static",    "tf2_msgs::msg::dds_::TFMessage_",        kState,    0, "laser3D", "gridBuilder"}};
 inline constexpr Topic<VelocityCommand> kCmdVel   {{"rt/cmd_vel",      "geometry_msgs::msg::dds_::Twist_",       kCall,    20, "explorer", "motorControl"}};
 inline constexpr Topic<LogLine>       kRosout     {{"rt/rosout",       "rcl_interfaces::msg::dds_::Log_",        {true, true, 200}, 0, "* simulator", ""}};
@@ -43,7 +43,7 @@ inline constexpr Topic<SweepCommand>     kSweepCommand    {{"rt/enfilade/sweep_c
 inline constexpr Topic<MotorState>       kMotorState      {{"rt/enfilade/motor_state",       "enfilade_msgs::msg::dds_::MotorState_",       kState,  2, "motorControl", "gridBuilder explorer"}};
 inline constexpr Topic<GridChange>       kGridChange      {{"rt/enfilade/grid_change",       "enfilade_msgs::msg::dds_::GridChange_",       kBulk,  40, "gridBuilder", "roomDetector explorer"}};
 inline constexpr Topic<ScanHits>         kScanHits        {{"rt/enfilade/scan_hits",         "enfilade_msgs::msg::dds_::ScanHits_",         kBulk,  40, "gridBuilder", "roomDetector"}};
-inline constexpr Topic<RoomEstimate>     kRoomEstimate    {{"rt/enfilade/room_estimate",     "enfilade_msgs::msg::dds_::RoomEstimate_",     kState,  4, "roomDetector", "explorer topoGraph"}};
+inline constexpr Topic<RoomEstimate>     kRoomEstimate    {{"rt/enfilade/room_estimate",     "enfilade_msgs::msg::dds_::RoomEstimate_",     kState,  4, "roomDetector", "explorer topoGraph gridBuilder"}};
 inline constexpr Topic<RoomDiagnostics>  kRoomDiagnostics {{"rt/enfilade/room_diagnostics",  "enfilade_msgs::msg::dds_::RoomDiagnostics_",  kState,  1, "roomDetector", ""}};
 inline constexpr Topic<ExplorationState> kExplorationState{{"rt/enfilade/exploration_state", "enfilade_msgs::msg::dds_::ExplorationState_", kState,  2, "explorer", ""}};
 inline constexpr Topic<TopologicalMap>   kTopologicalMap  {{"rt/enfilade/topological_map",   "enfilade_msgs::msg::dds_::TopologicalMap_",   kState,  0, "topoGraph", "explorer"}};

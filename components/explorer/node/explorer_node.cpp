@@ -37,6 +37,9 @@ void ExplorerNode::initialize() {
     odometry_ = o;
     odometry_ns_ = context_.clock.now_ns();
   });
+  bus.subscribe<TransformList>(topics::kTf, [this](const TransformList& list) {
+    if (const auto told = find_zone_odom(list)) T_zone_odom_ = *told;
+  });
   bus.subscribe<PointCloud>(topics::kPoints, [this](const PointCloud& p) {
     points_ = p;
     points_ns_ = context_.clock.now_ns();
@@ -79,7 +82,7 @@ Observation ExplorerNode::observe() {
                    .entered = pointer_to(entered_),
                    .marked = pointer_to(marked_)};
   if (odometry_) {
-    seen.T_zone_base = to_pose2(odometry_->T_odom_base);
+    seen.T_zone_base = T_zone_odom_ * to_pose2(odometry_->T_odom_base);
     seen.pose_stamp_ns = odometry_->stamp_ns;
     seen.speed = {odometry_->linear_m_s, odometry_->angular_rad_s};
   }

@@ -24,6 +24,23 @@ void bind_odometry(ConfigBinder& c, OdometryBufferConfig& odometry) {
   c.number("still_angular_rad_s", odometry.still_angular_rad_s, 0.0, 10.0);
 }
 
+void bind_registration(ConfigBinder& c, ScanRegistrarConfig& r) {
+  c.number("from_m", r.from_m, 0.0, 10.0);
+  c.number("to_m", r.to_m, 0.1, 30.0);
+  c.number("first_gate_m", r.first_gate_m, 0.02, 1.0);
+  c.number("last_gate_m", r.last_gate_m, 0.01, 0.5);
+  c.number("corner_m", r.corner_m, 0.0, 1.0);
+  c.number("sigma_m", r.sigma_m, 0.001, 0.2);
+  c.number("max_sigma_m", r.max_sigma_m, 0.0001, 0.1);
+  c.number("max_sigma_deg", r.max_sigma_deg, 0.001, 5.0);
+  c.number("min_share", r.min_share, 0.0, 1.0);
+  c.number("max_shift_m", r.max_shift_m, 0.0, 2.0);
+  c.number("max_turn_deg", r.max_turn_deg, 0.0, 45.0);
+  c.number("moved_m", r.moved_m, 0.0, 1.0);
+  c.number("moved_deg", r.moved_deg, 0.0, 45.0);
+  c.integer("max_held_lines", r.max_held_lines, 1, 10000);
+}
+
 }  // namespace
 
 void bind(ConfigBinder& c, GridBuilderConfig& config) {
@@ -32,6 +49,8 @@ void bind(ConfigBinder& c, GridBuilderConfig& config) {
   c.flag("only_during_sweeps", config.gate.only_during_sweeps);
   c.integer("max_waiting_lines", config.max_waiting_lines, 1, 10000);
   c.group("grid", [&](ConfigBinder& g) { bind_grid(g, config.grid); });
+  c.flag("register_scans", config.registration.register_scans);
+  c.group("registration", [&](ConfigBinder& g) { bind_registration(g, config.registration); });
   c.group("odometry", [&](ConfigBinder& g) { bind_odometry(g, config.odometry); });
 }
 

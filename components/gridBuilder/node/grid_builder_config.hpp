@@ -2,6 +2,7 @@
 #pragma once
 
 #include "components/gridBuilder/core/odometry_buffer.hpp"
+#include "components/gridBuilder/core/scan_registrar.hpp"
 #include "components/gridBuilder/core/zone_gate.hpp"
 #include "components/gridBuilder/core/zone_grid.hpp"
 #include "interfaces/runtime/config.hpp"
@@ -13,6 +14,7 @@ struct GridBuilderConfig {
   ZoneGateConfig gate;
   ZoneGridConfig grid;
   OdometryBufferConfig odometry;
+  ScanRegistrarConfig registration;
   int max_waiting_lines = 200;  ///< lines that wait for odometry or for the place of the sensor
 };
 

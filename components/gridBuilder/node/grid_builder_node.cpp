@@ -29,16 +29,19 @@ GridBuilderNode::GridBuilderNode(const NodeContext& context, const GridBuilderCo
       gate_(config.gate, first_epoch(context.clock)),
       grid_(config.grid),
       odometry_(config.odometry),
-      lines_(config.max_waiting_lines) {}
+      lines_(config.max_waiting_lines),
+      registrar_(config.registration) {}
 
 void GridBuilderNode::initialize() {
   Bus& bus = context_.bus;
   changes_ = bus.advertise(topics::kGridChange);
   hits_ = bus.advertise(topics::kScanHits);
+  tf_ = bus.advertise(topics::kTf);
   serve<GridSnapshotRequest, GridSnapshotReply>(bus, topics::kGridSnapshot,
                                                 [this](const GridSnapshotRequest&) { return snapshot(); });
   bus.subscribe<TransformList>(topics::kTfStatic, [this](const TransformList& t) { take_tf_static(t); });
   bus.subscribe<CurrentZone>(topics::kCurrentZone, [this](const CurrentZone& z) { take_zone(z); });
+  bus.subscribe<RoomEstimate>(topics::kRoomEstimate, [this](const RoomEstimate& r) { room_ = r; });
   bus.subscribe<MotorState>(topics::kMotorState, [this](const MotorState& s) { take_motor_state(s); });
   bus.subscribe<Odometry>(topics::kOdom, [this](const Odometry& o) {
     odometry_.add(o);
@@ -56,6 +59,9 @@ void GridBuilderNode::initialize() {
 }
 
 void GridBuilderNode::compute() {
+  // The sweep is over and has not told where the robot stands: its lines are fused where odometry has them.
+  if (!std::exchange(line_came_, false) && registrar_.waits()) insert(registrar_.give_up());
+  publish_zone_frame();
   if (lines_.overflowed() == overflow_told_) return;
   context_.log.warn(
       std::to_string(lines_.overflowed() - overflow_told_) + " scan lines dropped: " +
@@ -81,6 +87,8 @@ void GridBuilderNode::take_motor_state(const MotorState& state) {
     // Poses of another boot count from another origin.
     odometry_.clear();
     lines_.clear();
+    registrar_.forget_odometry();
+    publish_zone_frame();
   }
   odom_boot_ = state.odom_boot;
   if (gate_.take(state)) start_grid();
@@ -88,6 +96,7 @@ void GridBuilderNode::take_motor_state(const MotorState& state) {
 
 void GridBuilderNode::start_grid() {
   grid_.clear();
+  registrar_.forget_lines();
   memory_told_ = false;
   newest_line_ns_ = 0;
   const ZoneTag tag = gate_.tag();
@@ -103,14 +112,32 @@ void GridBuilderNode::work_off_lines() {
     const BaseLine line = lines_.pop();
     if (!gate_.accepts(line.stamp_ns)) continue;
     const auto moment = find_moment(line.stamp_ns);
-    if (moment && !moment->moving) insert(line, moment->T_odom_base);
+    if (!moment || moment->moving) continue;
+    line_came_ = true;
+    insert(registrar_.take({line, moment->T_odom_base}, walls()));
   }
 }
 
-/// T_zone_odom is the identity: the zone's frame is that of the odometry.
 std::optional<BaseMoment> GridBuilderNode::find_moment(StampNs stamp_ns) const {
   if (config_.gate.stationary) return BaseMoment{};
   return odometry_.find_moment(stamp_ns);
+}
+
+/// The room as this grid shows it, if one was found.
+std::optional<Rectangle> GridBuilderNode::walls() const {
+  const bool is_ours = room_.found && room_.tag == gate_.tag();
+  return is_ours ? std::optional(room_.rectangle) : std::nullopt;
+}
+
+void GridBuilderNode::insert(const std::vector<PlacedLine>& lines) {
+  for (const PlacedLine& placed : lines) insert(placed.line, registrar_.T_zone_odom() * placed.T_odom_base);
+}
+
+/// Odometry never jumps, and the zone's frame stands still: what drifts between them hangs below odom.
+void GridBuilderNode::publish_zone_frame() {
+  if (!config_.registration.register_scans || config_.gate.stationary) return;
+  tf_.publish(
+      {{{context_.clock.now_ns(), "odom", "zone", to_transform3(registrar_.T_zone_odom().inverse())}}});
 }
 
 void GridBuilderNode::insert(const BaseLine& line, const Pose2& T_zone_base) {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "components/gridBuilder/core/line_placement.hpp"
+#include "components/gridBuilder/core/scan_registrar.hpp"
 #include "components/gridBuilder/node/grid_builder_config.hpp"
 #include "interfaces/runtime/node.hpp"
 #include "interfaces/runtime/service.hpp"
@@ -27,7 +28,10 @@ class GridBuilderNode : public Node {
   void start_grid();
   void work_off_lines();
   std::optional<BaseMoment> find_moment(StampNs stamp_ns) const;
+  std::optional<Rectangle> walls() const;
+  void insert(const std::vector<PlacedLine>& lines);
   void insert(const BaseLine& line, const Pose2& T_zone_base);
+  void publish_zone_frame();
   GridChange change(StampNs stamp_ns, std::vector<GridCell> cells) const;
   GridSnapshotReply snapshot() const;
 
@@ -37,13 +41,17 @@ class GridBuilderNode : public Node {
   ZoneGrid grid_;
   OdometryBuffer odometry_;
   WaitingLines lines_;
+  ScanRegistrar registrar_;
+  RoomEstimate room_;                       ///< as last told
   std::optional<Point3f> origin_base_;      ///< of the beams, once rt/tf_static has told it
   std::optional<std::uint32_t> odom_boot_;  ///< as last told by the motors
   StampNs newest_line_ns_ = 0;
+  bool line_came_ = false;  ///< since the last compute()
   std::size_t overflow_told_ = 0;
   bool memory_told_ = false;
   Publisher<GridChange> changes_;
   Publisher<ScanHits> hits_;
+  Publisher<TransformList> tf_;
 };
 
 }  // namespace enfilade::grid_builder

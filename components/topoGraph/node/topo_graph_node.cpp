@@ -49,6 +49,12 @@ void TopoGraphNode::open_topics() {
                                         [this](const auto& q) { return on_mark_door(q); });
   context_.bus.subscribe<RoomEstimate>(topics::kRoomEstimate,
                                        [this](const RoomEstimate& e) { on_estimate(e); });
+  context_.bus.subscribe<TransformList>(topics::kTf, [this](const TransformList& list) {
+    const auto told = find_zone_odom(list);
+    if (!told || *told == T_zone_odom_) return;
+    T_zone_odom_ = *told;
+    publish_transform();
+  });
 }
 
 FixRoomReply TopoGraphNode::on_fix_room(const FixRoomRequest& request) {
@@ -124,9 +130,8 @@ void TopoGraphNode::announce(const TopoState& before) {
 }
 
 void TopoGraphNode::publish_transform() {
-  // The zone frame is odom: T_map_odom = T_map_zone.
-  const Transform3 T_map_odom = to_transform3(graph_.state().session.zone.T_map_zone);
-  tf_.publish({{{context_.clock.now_ns(), "map", "odom", T_map_odom}}});
+  const Pose2 T_map_odom = graph_.state().session.zone.T_map_zone * T_zone_odom_;
+  tf_.publish({{{context_.clock.now_ns(), "map", "odom", to_transform3(T_map_odom)}}});
 }
 
 }  // namespace enfilade::topo_graph

@@ -37,6 +37,7 @@ class TopoGraphNode final : public Node {
   TopoGraph graph_;
   std::optional<std::uint32_t> lost_in_boot_;
   bool write_failed_ = false;
+  Pose2 T_zone_odom_;  ///< as gridBuilder tells it
   Publisher<TopologicalMap> map_;
   Publisher<CurrentZone> zone_;
   Publisher<PoseCorrection> correction_;

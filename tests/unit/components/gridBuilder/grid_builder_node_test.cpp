@@ -88,10 +88,22 @@ TEST_F(GridBuilderNodeTest, PublishesALineAtTheInstantThatCompletesIt) {
   ASSERT_EQ(changes_->size(), 2u);
   EXPECT_EQ(changes_->back().sequence, 1u);
   EXPECT_EQ(changes_->back().stamp_ns, from_seconds(2.0));
-  EXPECT_EQ(changes_->back().cells.back(), (GridCell{40, 0, 12, CellState::kOccupied}));
+  EXPECT_EQ(changes_->back().cells.front(), (GridCell{40, 0, 12, CellState::kOccupied}));
   ASSERT_EQ(hits_->size(), 1u);
   EXPECT_EQ(hits_->front().tag, changes_->back().tag);
   EXPECT_EQ(hits_->front().hits.size(), 1u);
+}
+
+TEST_F(GridBuilderNodeTest, TellsWhereTheZoneLiesInOdometryWhateverElseHappens) {
+  GridBuilderConfig config;
+  config.registration.register_scans = true;
+  start(config);
+  auto& tf = harness_->collect(topics::kTf);
+  harness_->advance_s(0.35);
+  ASSERT_FALSE(tf.empty());
+  const auto T_zone_odom = find_zone_odom(tf.back());
+  ASSERT_TRUE(T_zone_odom);
+  EXPECT_EQ(*T_zone_odom, Pose2{});
 }
 
 TEST_F(GridBuilderNodeTest, WaitsForTheOdometryThatCoversALine) {

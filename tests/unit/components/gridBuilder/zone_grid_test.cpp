@@ -2,6 +2,7 @@
 #include "components/gridBuilder/core/zone_grid.hpp"
 
 #include <map>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -80,6 +81,69 @@ TEST(ZoneGrid, ForgetsAChairThatWasMovedAway) {
     before = grid.probability(cell_along_x(20)).value();
   }
   EXPECT_EQ(lines_until_free, 9);  // ln(0.97/0.03) / ln(0.6/0.4) = 8.6
+}
+
+/// The occupied cells of a column between two heights as a reader of the changes counts them.
+struct ColumnCount {
+  int occupied = 0;
+
+  void follow(const LineUpdate& update, int x, int from_z, int to_z) {
+    for (const GridCell& c : update.changes) {
+      if (c.x != x || c.y != 0 || c.z < from_z || c.z >= to_z) continue;
+      const bool was = occupied_.contains(c.z), is = c.state == CellState::kOccupied;
+      occupied += is - was;
+      if (is) occupied_.insert(c.z);
+      if (!is) occupied_.erase(c.z);
+    }
+  }
+
+ private:
+  std::set<int> occupied_;
+};
+
+/// Level beams along x in each of the layers 4 … 37, all of one line, that end at `x_cell`.
+template <class Take>
+void see_at_all_heights(ZoneGrid& grid, StampNs stamp_ns, int x_cell, Take&& take) {
+  for (int z = 4; z < 38; ++z) {
+    const float z_m = (static_cast<float>(z) + 0.5F) * 0.05F;
+    take(grid.insert({stamp_ns, {kOrigin.x_m, kOrigin.y_m, z_m}, {{along_x(x_cell).x_m, 0.025F, z_m}}, {}}));
+  }
+}
+
+TEST(ZoneGrid, ForgetsAPersonWhoPassedThroughTheRoom) {
+  ZoneGrid grid({});
+  ColumnCount person, wall;
+  const auto see = [&](StampNs stamp_ns, int x_cell) {
+    see_at_all_heights(grid, stamp_ns, x_cell, [&](const LineUpdate& update) {
+      person.follow(update, 20, 4, 38);
+      wall.follow(update, 60, 4, 38);
+    });
+  };
+  StampNs stamp_ns = 0;
+  for (int i = 0; i < 5; ++i) see(++stamp_ns, 60);
+  for (int i = 0; i < 3; ++i) see(++stamp_ns, 20);
+  EXPECT_EQ(person.occupied, 34);
+  EXPECT_EQ(wall.occupied, 34) << "what a person hides is not gone";
+  for (int i = 0; i < 9; ++i) see(++stamp_ns, 60);
+  EXPECT_EQ(person.occupied, 0);
+  EXPECT_EQ(wall.occupied, 34);
+}
+
+TEST(ZoneGrid, FollowsADoorThatIsOpenedAndClosed) {
+  ZoneGrid grid({});
+  ColumnCount leaf;
+  StampNs stamp_ns = 0;
+  const auto see = [&](int lines, int x_cell) {
+    for (int i = 0; i < lines; ++i)
+      see_at_all_heights(grid, ++stamp_ns, x_cell,
+                         [&](const LineUpdate& update) { leaf.follow(update, 30, 4, 38); });
+  };
+  see(10, 30);
+  EXPECT_EQ(leaf.occupied, 34) << "closed";
+  see(9, 60);
+  EXPECT_EQ(leaf.occupied, 0) << "opened";
+  see(3, 30);
+  EXPECT_EQ(leaf.occupied, 34) << "closed again";
 }
 
 TEST(ZoneGrid, CarvesButDoesNotHitBeyondTheMaximalRange) {
