@@ -16,6 +16,7 @@ struct ScanFigure {
   std::vector<Point2> points;  ///< returns above the floor, projected onto it
   Pose2 T_zone_base;
   double margin_m = 0.6;  ///< of surroundings shown
+  double point_px = 1.6;  ///< side of a point
 };
 
 /// The paper's figures 4 and 5: points, the rectangle over them, wall regions red, door regions green. A gap

@@ -92,7 +92,7 @@ std::string draw_scan(const ScanFigure& figure) {
   const Bounds bounds = bounds_of(figure);
   SvgCanvas canvas(bounds, kPixelsPerMetre);
   draw_robot(canvas, figure.T_zone_base);
-  canvas.dots(visible_points(figure.points, bounds), 1.6, "#37474f", 0.55);
+  canvas.dots(visible_points(figure.points, bounds), figure.point_px, "#37474f", 0.55);
   std::string size = "no rectangle yet";
   if (figure.estimate.found) {
     draw_walls(canvas, figure.estimate);

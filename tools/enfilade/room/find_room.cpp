@@ -12,6 +12,7 @@ namespace enfilade::room {
 namespace {
 
 constexpr int kPlanarLayers = 5;  // that the one layer of a level sensor stands for
+constexpr double kMargin_m = 1.5, kPoint_px = 5.0;
 constexpr double kPictureFrom_m = 0.15, kPictureTo_m = 2.2;  // heights shown
 
 /// The same room with the canonical rectangle, seen from another frame.
@@ -86,7 +87,7 @@ FoundRoom find_room(const Survey& survey, const room_detector::RoomDetectorConfi
 }
 
 std::string to_svg(const FoundRoom& room, const std::string& title) {
-  return draw::draw_scan({title, room.estimate, room.points, room.T_file_robot, 2.5});
+  return draw::draw_scan({title, room.estimate, room.points, room.T_file_robot, kMargin_m, kPoint_px});
 }
 
 }  // namespace enfilade::room
