@@ -1,7 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "components/roomDetector/core/hough_space.hpp"
 
+#include <bit>
+
 namespace enfilade::room_detector {
+namespace {
+
+std::uint64_t mix(std::uint64_t h, std::uint64_t value) {
+  h = (h ^ value) * 0x9e3779b97f4a7c15u;
+  return h ^ h >> 29;
+}
+
+std::uint64_t fingerprint_of(std::size_t index, const Vote& vote) {
+  if (vote.occupied == 0 && vote.free == 0 && vote.interior == 0) return 0;
+  std::uint64_t h = mix(1, index);
+  for (const double x : {vote.position.x(), vote.position.y()}) h = mix(h, std::bit_cast<std::uint64_t>(x));
+  for (const int n : {vote.occupied, vote.free, vote.interior}) h = mix(h, static_cast<std::uint32_t>(n));
+  return h;
+}
+
+}  // namespace
 
 HoughSpace::HoughSpace(const HoughConfig& config, const Point2& origin, double cell_m)
     : lattice_(config),
@@ -26,6 +44,7 @@ void HoughSpace::set(std::size_t index, const Vote& vote) {
   }
   Vote& old = votes_[index];
   if (old == vote) return;
+  fingerprint_ += fingerprint_of(index, vote) - fingerprint_of(index, old);
   if (old.position != vote.position) {
     if (old.occupied != 0) add(old.position, -old.occupied);
     free_map_.add(old.position, -old.free, -(old.occupied > 0));

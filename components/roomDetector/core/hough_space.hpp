@@ -28,6 +28,8 @@ struct Penalties {
   int per_bin = 0;     ///< toll for each bin of the contour: wall without evidence does not come for nothing
   int near_cells = 0;  ///< free votes so near to something occupied, either way, cost nothing
   int contour_bins = 0;  ///< what is so near to the contour is not inside the room
+
+  bool operator==(const Penalties&) const = default;
 };
 
 /// The 3D Hough space (θ, d, p) of section III-A, without its table.
@@ -45,6 +47,8 @@ class HoughSpace {
   /// Where d = p = 0 lies.
   const Point2& origin() const { return origin_; }
   const std::vector<Vote>& votes() const { return votes_; }
+  /// A sum over all votes that tells one set of them from another.
+  std::uint64_t fingerprint() const { return fingerprint_; }
   /// Replaces the vote of column `index` (step 2 of the algorithm, for changed cells only).
   void set(std::size_t index, const Vote& vote);
   void set_penalties(const Penalties& penalties);
@@ -119,6 +123,7 @@ class HoughSpace {
   std::vector<std::int32_t> wall_vote_of_;  // by vote; -1 = none
   FreeMap free_map_;
   Penalties penalties_;
+  std::uint64_t fingerprint_ = 0;
 };
 
 }  // namespace enfilade::room_detector

@@ -77,6 +77,21 @@ RectangleSearch::RectangleSearch(const SearchConfig& config) : config_(config) {
 
 std::optional<SearchResult> RectangleSearch::find_best(const HoughSpace& space,
                                                        const std::optional<Point2>& robot) {
+  const Question question{space.fingerprint(),      space.penalties(),     space.origin(), robot,
+                          space.lattice().angles(), space.lattice().bins()};
+  if (question_ == question) {
+    if (answer_) answer_->expansions = answer_->planes_opened = 0;
+    return answer_;
+  }
+  bool is_proven = false;
+  answer_ = search(space, robot, is_proven);
+  question_.reset();
+  if (is_proven) question_ = question;
+  return answer_;
+}
+
+std::optional<SearchResult> RectangleSearch::search(const HoughSpace& space,
+                                                    const std::optional<Point2>& robot, bool& is_proven) {
   Incumbent best{.rectangle = {}, .score = config_.least_score - 1, .max_expansions = config_.max_expansions};
   begin_with_last(space, robot, best);
   if (robot && config_.robot_inside)
@@ -84,6 +99,7 @@ std::optional<SearchResult> RectangleSearch::find_best(const HoughSpace& space,
   else
     search_anywhere(space, best);
   last_.reset();
+  is_proven = best.gap_bound <= best.score;
   if (best.score < config_.least_score) return std::nullopt;
   last_ = best.rectangle;
   return SearchResult{.rectangle = best.rectangle,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <optional>
 
 #include "components/roomDetector/core/corner_bounds.hpp"
@@ -37,22 +38,37 @@ struct SearchResult {
 /// bound. Exact unless it runs into `max_expansions`; of equally good rectangles the lexicographically first.
 /// Empty where no rectangle fits the limits and scores enough.
 ///
-/// The last answer is where the next search begins: while little changes, little is looked at. It does not
-/// change what is found.
+/// The last answer is where the next search begins: while little changes, little is looked at, and nothing
+/// where no vote has. It does not change what is found.
 class RectangleSearch {
  public:
   explicit RectangleSearch(const SearchConfig& config);
   std::optional<SearchResult> find_best(const HoughSpace& space, const std::optional<Point2>& robot);
 
  private:
+  std::optional<SearchResult> search(const HoughSpace& space, const std::optional<Point2>& robot,
+                                     bool& is_proven);
   void search_anywhere(const HoughSpace& space, Incumbent& best);
   void search_around(const HoughSpace& space, const Point2& robot, Incumbent& best);
   void begin_with_last(const HoughSpace& space, const std::optional<Point2>& robot, Incumbent& best) const;
   void look_into(const HoughSpace& space, int angle, const HoughSpace::Bins& robot, const Reaches& reaches,
                  const PlaneLimits& limits, Incumbent& best);
 
+  /// What an answer depends on.
+  struct Question {
+    std::uint64_t votes = 0;
+    Penalties penalties;
+    Point2 origin = Point2::Zero();
+    std::optional<Point2> robot;
+    int angles = 0, bins = 0;
+
+    bool operator==(const Question&) const = default;
+  };
+
   SearchConfig config_;
   std::optional<BinRectangle> last_;
+  std::optional<Question> question_;  // of answer_, where that is proven
+  std::optional<SearchResult> answer_;
   HoughPlane plane_;  // these are kept for their memory
   CornerBounds bounds_;
   CornerPlane corners_;

@@ -1,28 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "components/roomDetector/core/wall_votes.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "components/roomDetector/core/wall_votes.hpp"
 
 namespace enfilade::room_detector {
 
 namespace {
 
 bool is_wall_like(int occupied) { return occupied >= 2; }
-
-/// How many cells of the band are occupied in a column of wall, in the mean: all of them where the sensor has
-/// looked everywhere, few in a coarse scan or far away. What speaks for a wall shrinks with them, and so must
-/// what speaks against one.
-int ordinary_wall_cells(const ColumnMap& map, const Levels& levels) {
-  int cells = 0, columns = 0;
-  for (const Column& column : map.columns()) {
-    const int occupied = static_cast<int>((column.occupied & levels).count());
-    if (!is_wall_like(occupied)) continue;
-    cells += occupied;
-    ++columns;
-  }
-  return columns > 0 ? (cells + columns / 2) / columns : 1;
-}
 
 }  // namespace
 
@@ -31,19 +17,38 @@ WallVotes::WallVotes(const WallVotesConfig& config, const HoughConfig& hough)
 
 const HoughSpace& WallVotes::update(ColumnMap& map, const WallBand& band, const Point2& origin) {
   const auto changed = map.take_changed();
-  const int ordinary = ordinary_wall_cells(map, band.levels());
   const bool is_same_space = space_ && space_->origin() == origin && band == band_;
+  if (!space_ || band != band_) {
+    counted_.assign(map.columns().size(), 0);
+    wall_cells_ = wall_columns_ = 0;
+    levels_ = band.levels();
+    for (std::size_t i = 0; i < map.columns().size(); ++i) count(i, map.columns()[i]);
+  } else {
+    for (const std::size_t i : changed) count(i, map.columns()[i]);
+  }
+  const int ordinary = wall_columns_ > 0 ? (wall_cells_ + wall_columns_ / 2) / wall_columns_ : 1;
   if (is_same_space && ordinary == ordinary_) {
     for (const std::size_t i : changed) space_->set(i, vote_of(map, map.columns()[i]));
   } else {
     band_ = band;
-    levels_ = band.levels();
     ordinary_ = ordinary;
     if (!is_same_space) space_.emplace(hough_, origin, map.resolution_m());
     for (std::size_t i = 0; i < map.columns().size(); ++i) space_->set(i, vote_of(map, map.columns()[i]));
   }
   space_->set_penalties(penalties(map.resolution_m()));
   return *space_;
+}
+
+/// Keeps the mean number of occupied cells in a column of wall: all of the band where the sensor has looked
+/// everywhere, few in a coarse scan or far away. What speaks for a wall shrinks with them, and so must what
+/// speaks against one.
+void WallVotes::count(std::size_t index, const Column& column) {
+  if (index >= counted_.size()) counted_.resize(index + 1, 0);
+  const int occupied = static_cast<int>((column.occupied & levels_).count());
+  const int before = counted_[index], now = is_wall_like(occupied) ? occupied : 0;
+  wall_cells_ += now - before;
+  wall_columns_ += (now > 0) - (before > 0);
+  counted_[index] = static_cast<std::int16_t>(now);
 }
 
 Vote WallVotes::vote_of(const ColumnMap& map, const Column& column) const {

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "components/roomDetector/core/hough_space.hpp"
 #include "components/roomDetector/core/wall_band.hpp"
@@ -36,6 +38,7 @@ class WallVotes {
  private:
   bool weighs_evidence() const { return config_.score == Score::kEvidence && band_.above_furniture; }
   int per_cell() const { return weighs_evidence() ? 4 : 1; }
+  void count(std::size_t index, const Column& column);
   Vote vote_of(const ColumnMap& map, const Column& column) const;
   Penalties penalties(double resolution_m) const;
 
@@ -43,6 +46,8 @@ class WallVotes {
   HoughConfig hough_;
   WallBand band_;
   Levels levels_;
+  std::vector<std::int16_t> counted_;  // cells of the band, by column of wall
+  int wall_cells_ = 0, wall_columns_ = 0;
   int ordinary_ = 1;  // cells of a wall column, as this grid shows them
   std::optional<HoughSpace> space_;
 };
