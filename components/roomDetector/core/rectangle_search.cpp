@@ -8,10 +8,13 @@
 #include <stdexcept>
 #include <vector>
 
+#include "components/roomDetector/core/baselines.hpp"
 #include "components/roomDetector/core/plane_search.hpp"
 
 namespace enfilade::room_detector {
 namespace {
+
+constexpr double kMostEntries = 4e6;  // of the literal table; the paper's experiment has half a million
 
 PlaneLimits limits_of(const HoughSpace& space, int angle, const SearchConfig& config,
                       const std::optional<Point2>& robot) {
@@ -70,9 +73,14 @@ bool fits(const BinRectangle& r, const HoughSpace& space, const PlaneLimits& lim
 
 }  // namespace
 
-RectangleSearch::RectangleSearch(const SearchConfig& config) : config_(config) {
+RectangleSearch::RectangleSearch(const SearchConfig& config, const HoughConfig& hough) : config_(config) {
   if (config.side_min_m >= config.side_max_m)
     throw std::invalid_argument("side_min_m must be less than side_max_m");
+  const bool is_literal = config.search == SearchMethod::kLiteral;
+  if (is_literal && LiteralHough::table_size(HoughLattice(hough)) > kMostEntries)
+    throw std::invalid_argument(
+        "search: literal would take hours with so many bins; try the paper's step_m: 0.27, theta_step_deg: "
+        "5");
 }
 
 std::optional<SearchResult> RectangleSearch::find_best(const HoughSpace& space,
@@ -93,11 +101,13 @@ std::optional<SearchResult> RectangleSearch::find_best(const HoughSpace& space,
 std::optional<SearchResult> RectangleSearch::search(const HoughSpace& space,
                                                     const std::optional<Point2>& robot, bool& is_proven) {
   Incumbent best{.rectangle = {}, .score = config_.least_score - 1, .max_expansions = config_.max_expansions};
-  begin_with_last(space, robot, best);
-  if (robot && config_.robot_inside)
+  if (config_.search != SearchMethod::kExact) {
+    search_each_plane(space, robot, best);
+  } else if (begin_with_last(space, robot, best); robot && config_.robot_inside) {
     search_around(space, *robot, best);
-  else
+  } else {
     search_anywhere(space, best);
+  }
   last_.reset();
   is_proven = best.gap_bound <= best.score;
   if (best.score < config_.least_score) return std::nullopt;
@@ -114,6 +124,19 @@ void RectangleSearch::begin_with_last(const HoughSpace& space, const std::option
                                       Incumbent& best) const {
   if (last_ && fits(*last_, space, limits_of(space, last_->alpha, config_, robot)))
     best.offer(*last_, space.score(*last_));
+}
+
+void RectangleSearch::search_each_plane(const HoughSpace& space, const std::optional<Point2>& robot,
+                                        Incumbent& best) const {
+  const bool is_literal = config_.search == SearchMethod::kLiteral;
+  const auto table = is_literal ? std::optional<LiteralHough>(space) : std::nullopt;
+  for (int a = 0; a < space.lattice().angles(); ++a, ++best.planes_opened) {
+    const PlaneLimits limits = limits_of(space, a, config_, robot);
+    if (is_literal)
+      table->search(a, limits, best);
+    else
+      search_by_lines(space, a, limits, best);
+  }
 }
 
 void RectangleSearch::search_anywhere(const HoughSpace& space, Incumbent& best) {

@@ -13,7 +13,14 @@
 
 namespace enfilade::room_detector {
 
+enum class SearchMethod {
+  kExact,
+  kLiteral,  ///< the paper's loops, for coarse bins: the baseline of the exact search and its oracle
+  kLines     ///< by whole lines, as in [4]: the baseline of figure 2
+};
+
 struct SearchConfig {
+  SearchMethod search = SearchMethod::kExact;
   double side_min_m = 1.5;  ///< "a specific rank of w and h" (III-A)
   double side_max_m = 15.0;
   bool robot_inside = true;     ///< only rectangles with the robot's bin strictly inside count
@@ -42,12 +49,14 @@ struct SearchResult {
 /// where no vote has. It does not change what is found.
 class RectangleSearch {
  public:
-  explicit RectangleSearch(const SearchConfig& config);
+  /// Throws std::invalid_argument where the literal table of `hough` would be too large.
+  explicit RectangleSearch(const SearchConfig& config, const HoughConfig& hough = {});
   std::optional<SearchResult> find_best(const HoughSpace& space, const std::optional<Point2>& robot);
 
  private:
   std::optional<SearchResult> search(const HoughSpace& space, const std::optional<Point2>& robot,
                                      bool& is_proven);
+  void search_each_plane(const HoughSpace& space, const std::optional<Point2>& robot, Incumbent& best) const;
   void search_anywhere(const HoughSpace& space, Incumbent& best);
   void search_around(const HoughSpace& space, const Point2& robot, Incumbent& best);
   void begin_with_last(const HoughSpace& space, const std::optional<Point2>& robot, Incumbent& best) const;

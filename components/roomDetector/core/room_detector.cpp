@@ -33,7 +33,7 @@ bool is_beside(const Columns& columns, const ColumnMap& map, const Column& colum
 RoomDetector::RoomDetector(const RoomDetectorConfig& config)
     : config_(config),
       votes_(config.votes, config.hough),
-      search_(config.search),
+      search_(config.search, config.hough),
       fitter_(config.fit),
       door_finder_(config.door_finder),
       joint_fitter_(config.joint, config.fit),

@@ -28,6 +28,10 @@ void bind(ConfigBinder& c, WallVotesConfig& votes) {
 }
 
 void bind(ConfigBinder& c, SearchConfig& search) {
+  c.choice("search", search.search,
+           {{"exact", SearchMethod::kExact},
+            {"literal", SearchMethod::kLiteral},
+            {"lines", SearchMethod::kLines}});
   c.number("side_min_m", search.side_min_m, 0.3, 20.0);
   c.number("side_max_m", search.side_max_m, 1.0, 40.0);
   c.flag("robot_inside", search.robot_inside);

@@ -1,58 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdlib>
 #include <optional>
 #include <random>
 #include <vector>
 
 #include "components/roomDetector/core/rectangle_search.hpp"
 
-/// The paper's method typed out, slow and obvious, to hold the fast one against.
+/// Searches and scores that are slow and obvious, to hold the fast ones against.
 namespace enfilade::room_detector::test {
-
-/// Step 2 with a real table: H(θ, d, p) for all of the paper's θ in [-π/4, 3π/4), cumulative in p (step f).
-class LiteralHough {
- public:
-  LiteralHough(const HoughSpace& space)
-      : space_(space), n_(space.lattice().bins()), angles_(space.lattice().angles()) {
-    table_.assign(static_cast<std::size_t>(2 * angles_ * n_ * n_), 0);
-    for (const Vote& vote : space.votes()) {
-      for (int a = 0; a < angles_; ++a) {
-        const auto b = space.bins_of(a, vote.position);
-        if (!space.lattice().holds(b.d) || !space.lattice().holds(b.p)) continue;
-        add(a, b.d, b.p, vote.occupied);
-        add(a + angles_, b.p, mirror(b.d), vote.occupied);  // θ = α + π/2: d' = p, p' = -d
-      }
-    }
-  }
-
-  /// H(θ, d, p), where p = -1 is before the first bin; α + π/2 is `angle` + angles.
-  int h(int angle, int d, int p) const { return p < 0 ? 0 : table_[index(angle, d, p)]; }
-  int mirror(int bin) const { return n_ - 1 - bin; }
-
-  /// Eq. 5–9 with -d in eq. 8 and 9; every wall from its first corner, included, to its last, excluded.
-  int score(const BinRectangle& r) const {
-    const int a = r.alpha, b = r.alpha + angles_;
-    const int h12 = std::abs(h(a, r.d12, r.d41 - 1) - h(a, r.d12, r.d23 - 1));
-    const int h34 = std::abs(h(a, r.d34, r.d23) - h(a, r.d34, r.d41));
-    const int h23 = std::abs(h(b, r.d23, mirror(r.d12)) - h(b, r.d23, mirror(r.d34)));
-    const int h41 = std::abs(h(b, r.d41, mirror(r.d34) - 1) - h(b, r.d41, mirror(r.d12) - 1));
-    return h12 + h23 + h34 + h41;
-  }
-
- private:
-  std::size_t index(int angle, int d, int p) const {
-    return static_cast<std::size_t>((angle * n_ + d) * n_ + p);
-  }
-  void add(int angle, int d, int p, int count) {
-    for (int later = p; later < n_; ++later) table_[index(angle, d, later)] += count;
-  }
-
-  const HoughSpace& space_;
-  int n_, angles_;
-  std::vector<int> table_;
-};
 
 /// Calls visit(rectangle) with every rectangle within the limits, in order.
 template <class Visit>

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "components/roomDetector/core/baselines.hpp"
 #include "tests/unit/components/roomDetector/brute_force.hpp"
 
 namespace enfilade::room_detector {
@@ -53,7 +54,7 @@ struct Case {
     return space;
   }
   std::optional<SearchResult> found(const HoughSpace& in) const {
-    return RectangleSearch(search).find_best(in, robot);
+    return RectangleSearch(search, hough).find_best(in, robot);
   }
 };
 
@@ -67,15 +68,23 @@ void expect_same(const std::optional<SearchResult>& found, const std::optional<t
 }
 
 TEST(RectangleSearch, FindsTheArgmaxOfThePapersTable) {
-  for (unsigned seed = 0; seed < 320; ++seed) {
+  for (unsigned seed = 0; seed < 240; ++seed) {
     Case c(seed);
     c.votes = occupied_only(c.votes);
     const HoughSpace space = c.space();
-    const test::LiteralHough literal(space);
+    const LiteralHough literal(space);
     const auto truth =
         test::argmax(space, c.search, c.robot, [&](const BinRectangle& r) { return literal.score(r); });
     expect_same(c.found(space), truth, seed);
+    c.search.search = SearchMethod::kLiteral;
+    expect_same(c.found(space), truth, seed);
   }
+}
+
+TEST(RectangleSearch, RefusesATableForWeeks) {
+  const SearchConfig literal{.search = SearchMethod::kLiteral};
+  EXPECT_THROW(RectangleSearch(literal, HoughConfig{}), std::invalid_argument);
+  EXPECT_NO_THROW(RectangleSearch(literal, {.theta_step_deg = 5.0, .step_m = 0.27}));
 }
 
 TEST(RectangleSearch, FindsTheArgmaxOfTheEvidenceScore) {
