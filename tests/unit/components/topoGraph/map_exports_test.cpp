@@ -127,7 +127,9 @@ TEST(OctoMapFile, HoldsForOctoMapWhatTheGridHoldsUpToTheLintels) {
         const auto* node = tree.search(p.x(), p.y(), z);
         const CellState state = door && z > 1.9 ? CellState::kOccupied : grid.at(column, row);
         ASSERT_EQ(node != nullptr, state != CellState::kUnexplored);
-        if (node) ASSERT_EQ(tree.isNodeOccupied(node), state == CellState::kOccupied);
+        if (node) {
+          ASSERT_EQ(tree.isNodeOccupied(node), state == CellState::kOccupied);
+        }
       }
       ASSERT_EQ(tree.search(p.x(), p.y(), -0.05), nullptr);
       ASSERT_EQ(tree.search(p.x(), p.y(), 2.55), nullptr);

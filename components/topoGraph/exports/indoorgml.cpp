@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "components/topoGraph/exports/export_parts.hpp"
+#include "components/topoGraph/exports/exports.hpp"
+
+namespace enfilade::topo_graph {
+namespace {
+
+std::string gml_pos(const Point2& p) {
+  return fmt::format("<gml:pos>{} {}</gml:pos>", std::round(p.x() * 1e6) / 1e6,
+                     std::round(p.y() * 1e6) / 1e6);
+}
+
+std::string gml_line(const std::string& id, const std::vector<Point2>& points) {
+  std::string out = fmt::format("<gml:LineString gml:id=\"{}\">", id);
+  for (const Point2& p : points) out += gml_pos(p);
+  return out + "</gml:LineString>";
+}
+
+bool is_transition(const Door& door) { return door.kind == DoorKind::kPassage && door.other_face; }
+
+/// The doors of `room` that are transitions, one line each.
+template <class Line>
+std::string for_transitions(const TopologicalMap& map, const Room& room, Line&& line) {
+  std::string out;
+  for (const Door& door : map.doors)
+    if (is_transition(door) && TopologicalMap::find_face(door, room.id)) out += line(door);
+  return out;
+}
+
+std::string cell_space(const TopologicalMap& map, const Room& room) {
+  std::string ring;
+  const std::vector<Point2> outline = exports::outline(room);
+  for (const Point2& p : outline) ring += gml_pos(p);
+  ring += gml_pos(outline.front());
+  return fmt::format(
+             "      <core:cellSpaceMember>\n       <core:CellSpace gml:id=\"cell{0}\">\n"
+             "        <gml:name>{1}</gml:name>\n"
+             "        <core:cellSpaceGeometry><core:Geometry2D><gml:Polygon "
+             "gml:id=\"polygon{0}\"><gml:exterior>"
+             "<gml:LinearRing>{2}</gml:LinearRing></gml:exterior></gml:Polygon></core:Geometry2D>"
+             "</core:cellSpaceGeometry>\n        <core:duality xlink:href=\"#state{0}\"/>\n",
+             room.id, exports::xml(exports::room_name(room)), ring) +
+         for_transitions(map, room,
+                         [](const Door& door) {
+                           return fmt::format("        <core:partialboundedBy xlink:href=\"#boundary{}\"/>\n",
+                                              door.id);
+                         }) +
+         "       </core:CellSpace>\n      </core:cellSpaceMember>\n";
+}
+
+std::string boundary(const TopologicalMap& map, const Door& door) {
+  const Segment face = segment_in_map(*map.find_room(door.face.room), door.face);
+  return fmt::format(
+      "      <core:cellSpaceBoundaryMember>\n       <core:CellSpaceBoundary gml:id=\"boundary{0}\">\n"
+      "        <core:duality xlink:href=\"#transition{0}\"/>\n"
+      "        <core:cellSpaceBoundaryGeometry><core:geometry2D>{1}</core:geometry2D>"
+      "</core:cellSpaceBoundaryGeometry>\n       </core:CellSpaceBoundary>\n      "
+      "</core:cellSpaceBoundaryMember>\n",
+      door.id, gml_line(fmt::format("opening{}", door.id), {face.from, face.to}));
+}
+
+std::string state(const TopologicalMap& map, const Room& room) {
+  return fmt::format(
+             "         <core:stateMember>\n          <core:State gml:id=\"state{0}\">\n"
+             "           <gml:name>{1}</gml:name>\n           <core:duality xlink:href=\"#cell{0}\"/>\n",
+             room.id, exports::xml(exports::room_name(room))) +
+         for_transitions(map, room,
+                         [](const Door& door) {
+                           return fmt::format("           <core:connects xlink:href=\"#transition{}\"/>\n",
+                                              door.id);
+                         }) +
+         fmt::format(
+             "           <core:geometry><gml:Point gml:id=\"point{}\">{}</gml:Point></core:geometry>\n"
+             "          </core:State>\n         </core:stateMember>\n",
+             room.id, gml_pos(room.T_map_room.translation()));
+}
+
+std::string transition(const TopologicalMap& map, const Door& door) {
+  const RoomId a = door.face.room, b = door.other_face->room;
+  const std::string way =
+      gml_line(fmt::format("way{}", door.id),
+               {map.find_room(a)->T_map_room.translation(), exports::middle(map, door.face),
+                exports::middle(map, *door.other_face), map.find_room(b)->T_map_room.translation()});
+  return fmt::format(
+      "         <core:transitionMember>\n          <core:Transition gml:id=\"transition{0}\">\n"
+      "           <gml:name>door {0}</gml:name>\n           <core:weight>{1:.6f}</core:weight>\n"
+      "           <core:connects xlink:href=\"#state{2}\"/>\n           <core:connects "
+      "xlink:href=\"#state{3}\"/>\n"
+      "           <core:duality xlink:href=\"#boundary{0}\"/>\n           "
+      "<core:geometry>{4}</core:geometry>\n"
+      "          </core:Transition>\n         </core:transitionMember>\n",
+      door.id, exports::walk_m(map, door), a, b, way);
+}
+
+std::string primal_space(const TopologicalMap& map) {
+  std::string out = "  <core:primalSpaceFeatures>\n    <core:PrimalSpaceFeatures gml:id=\"primal\">\n";
+  for (const Room& room : map.rooms) out += cell_space(map, room);
+  for (const Door& door : map.doors)
+    if (is_transition(door)) out += boundary(map, door);
+  return out + "    </core:PrimalSpaceFeatures>\n  </core:primalSpaceFeatures>\n";
+}
+
+std::string space_layer(const TopologicalMap& map) {
+  std::string states, transitions;
+  for (const Room& room : map.rooms) states += state(map, room);
+  for (const Door& door : map.doors)
+    if (is_transition(door)) transitions += transition(map, door);
+  std::string out = "        <core:nodes gml:id=\"nodes\">\n" + states + "        </core:nodes>\n";
+  if (!transitions.empty())
+    out += "        <core:edges gml:id=\"edges\">\n" + transitions + "        </core:edges>\n";
+  return out;
+}
+
+}  // namespace
+
+std::string to_indoorgml(const TopologicalMap& map) {
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+         "<core:IndoorFeatures gml:id=\"building\" xmlns:core=\"http://www.opengis.net/indoorgml/1.0/core\" "
+         "xmlns:gml=\"http://www.opengis.net/gml/3.2\" xmlns:xlink=\"http://www.w3.org/1999/xlink\">\n" +
+         primal_space(map) +
+         "  <core:multiLayeredGraph>\n    <core:MultiLayeredGraph gml:id=\"graph\">\n"
+         "     <core:spaceLayers gml:id=\"layers\">\n      <core:spaceLayerMember>\n"
+         "       <core:SpaceLayer gml:id=\"rooms\">\n" +
+         space_layer(map) +
+         "       </core:SpaceLayer>\n      </core:spaceLayerMember>\n     </core:spaceLayers>\n"
+         "    </core:MultiLayeredGraph>\n  </core:multiLayeredGraph>\n</core:IndoorFeatures>\n";
+}
+
+}  // namespace enfilade::topo_graph
