@@ -12,6 +12,9 @@ namespace {
 
 constexpr double kBridge_m = 0.1;  // stray cells in a door
 constexpr double kHighestLintel_m = 3.0;
+// A cell of an opening is found free in 95 of 100 cases and occupied in 5, one of a wall the other way round:
+// ln(0.95 / 0.05) for a slice seen whole.
+const double kNatsPerSlice = std::log(0.95 / 0.05);
 
 /// One wall under examination.
 struct Wall {
@@ -21,6 +24,7 @@ struct Wall {
   std::vector<WallSlice> slices;
   Levels band;
   std::vector<HitByWall> hits;
+  std::span<const Sighting> sightings;
 };
 
 std::size_t slices_of(double metres, double resolution_m) {
@@ -72,78 +76,151 @@ void count_beyond(const Wall& wall, const WallInterval& gap, const DoorFinderCon
   }
 }
 
-DoorEstimate describe(const Wall& wall, const Run& run, DoorState state, const DoorFinderConfig& config) {
-  const double r = wall.map.resolution_m(), length = wall.rectangle.wall_length_m(wall.index);
-  DoorEstimate door;
-  door.gap = {static_cast<std::uint8_t>(wall.index), static_cast<double>(run.from) * r,
-              std::min(length, static_cast<double>(run.to) * r)};
-  door.state = state;
-  const SliceShares share = shares_of(wall.slices, run.from, run.to, wall.band);
-  door.evidence.occupied_share = share.occupied;
-  door.evidence.free_share = share.free;
-  if (state == DoorState::kUnexplored) return door;
-  door.gap = fit_jambs(wall.hits, door.gap, config.jamb);
-  door.height_m = lintel_m(wall, run, config);
-  count_beyond(wall, door.gap, config, door.evidence);
-  return door;
+/// Returns from behind the wall whose beams went through the gap.
+double returns_behind(const Wall& wall, const WallInterval& gap, const DoorFinderConfig& config) {
+  const Segment line = wall.rectangle.wall(wall.index);
+  const Point2 along = line.direction(), outwards = wall.rectangle.normal(wall.index);
+  double returns = 0.0;
+  for (const Sighting& s : wall.sightings) {
+    const double near = (s.from - line.from).dot(outwards), far = (s.at - line.from).dot(outwards);
+    if (near >= 0.0 || far < config.beyond_from_m) continue;
+    const Point2 through = s.from + near / (near - far) * (s.at - s.from);
+    const double at = (through - line.from).dot(along);
+    if (at > gap.from_m && at < gap.to_m) returns += s.weight;
+  }
+  return returns;
 }
 
-/// An opening that was seen free is a door if it reaches down to the floor and is not as wide as a missing
-/// wall.
-DoorState state_of_open(const Wall& wall, const Run& run, const DoorFinderConfig& config) {
+Levels foot_of(const Wall& wall, const DoorFinderConfig& config) {
   const double r = wall.map.resolution_m();
-  const Levels foot = level_range(level_of(config.band_from_m, r), level_of(config.sill_m, r));
-  const bool reaches_down =
-      shares_of(wall.slices, run.from, run.to, foot).free >= 0.5 * config.min_free_share;
-  const bool is_wall_missing = static_cast<double>(run.size()) * r > config.max_width_m;
-  return reaches_down && !is_wall_missing ? DoorState::kOpen : DoorState::kPossible;
+  return level_range(level_of(config.band_from_m, r), level_of(config.sill_m, r));
+}
+
+/// What the wall plane says of a stretch, before it is judged.
+GapDiagnostics look_at(const Wall& wall, const Run& run, const DoorFinderConfig& config) {
+  const double r = wall.map.resolution_m(), length = wall.rectangle.wall_length_m(wall.index);
+  GapDiagnostics seen;
+  seen.gap = {static_cast<std::uint8_t>(wall.index), static_cast<double>(run.from) * r,
+              std::min(length, static_cast<double>(run.to) * r)};
+  const SliceShares share = shares_of(wall.slices, run.from, run.to, wall.band);
+  seen.occupied_share = share.occupied;
+  seen.free_share = share.free;
+  seen.foot_free_share = shares_of(wall.slices, run.from, run.to, foot_of(wall, config)).free;
+  // The cells of a slice are looked at by the same few beams: a slice counts once.
+  seen.open_nats = kNatsPerSlice * static_cast<double>(run.size()) * (share.free - share.occupied);
+  return seen;
+}
+
+struct Judgement {
+  GapVerdict verdict;
+  const char* reason;
+};
+
+/// An opening that was seen free is a door if it reaches down to the floor, something was seen behind it, and
+/// it is not as wide as a missing wall.
+Judgement judge_open(const Wall& wall, const GapDiagnostics& seen, const DoorFinderConfig& config) {
+  if (seen.gap.width_m() > config.max_width_m)
+    return {GapVerdict::kPossible, "wider than a door: a wall may be missing"};
+  if (seen.foot_free_share < 0.5 * config.min_free_share)
+    return {GapVerdict::kPossible, "open, but its foot was not seen: there may be a sill"};
+  if (!wall.sightings.empty() && returns_behind(wall, seen.gap, config) < config.min_returns_behind)
+    return {GapVerdict::kPossible, "nothing was seen through it: glass, or nothing in reach"};
+  return {GapVerdict::kOpen, "free from the floor to the lintel"};
 }
 
 /// What is left of a gap: unexplored, or possibly a door where part of it was seen free and nothing stands in
 /// it.
-std::optional<DoorState> state_of_rest(const Wall& wall, const Run& run, const DoorFinderConfig& config) {
-  const double width = static_cast<double>(run.size()) * wall.map.resolution_m();
+std::optional<Judgement> judge_rest(const GapDiagnostics& seen, const DoorFinderConfig& config) {
+  const double width = seen.gap.width_m(), unknown = 1.0 - seen.occupied_share - seen.free_share;
   if (width < config.min_unexplored_m) return std::nullopt;
-  const SliceShares share = shares_of(wall.slices, run.from, run.to, wall.band);
-  if (share.free < 0.5 * config.min_free_share) return DoorState::kUnexplored;
-  if (width >= config.min_width_m && width <= config.max_width_m) return DoorState::kPossible;
-  return share.unknown() > 0.5 ? std::optional(DoorState::kUnexplored) : std::nullopt;
+  const Judgement unexplored{GapVerdict::kUnexplored, "not seen: no door, a place to look at"};
+  if (seen.free_share < 0.5 * config.min_free_share) return unexplored;
+  if (width >= config.min_width_m && width <= config.max_width_m)
+    return Judgement{GapVerdict::kPossible, "nothing stands in it, but too little of it was seen"};
+  return unknown > 0.5 ? std::optional(unexplored) : std::nullopt;
 }
 
-std::vector<DoorEstimate> doors_in(const Wall& wall, const DoorFinderConfig& config) {
+void report(const Wall& wall, const Run& run, GapDiagnostics seen, const Judgement& judgement,
+            const DoorFinderConfig& config, WallGaps& gaps) {
+  seen.verdict = judgement.verdict;
+  seen.reason = judgement.reason;
+  DoorEstimate door;
+  door.state = static_cast<DoorState>(judgement.verdict);
+  door.gap = seen.gap;
+  door.evidence.occupied_share = seen.occupied_share;
+  door.evidence.free_share = seen.free_share;
+  if (door.state != DoorState::kUnexplored) {
+    const FittedGap fitted = fit_jambs(wall.hits, seen.gap, config.jamb, wall.map.resolution_m());
+    door.gap = seen.gap = fitted.gap;
+    seen.from_sigma_m = fitted.from_sigma_m;
+    seen.to_sigma_m = fitted.to_sigma_m;
+    door.width_sigma_m = fitted.width_sigma_m();
+    door.position_sigma_m = 0.5 * door.width_sigma_m;
+    door.height_m = lintel_m(wall, run, config);
+    if (door.height_m) door.height_sigma_m = wall.map.resolution_m() / std::sqrt(12.0);
+    count_beyond(wall, door.gap, config, door.evidence);
+  }
+  gaps.doors.push_back(door);
+  gaps.diagnostics.push_back(seen);
+}
+
+/// Stretches that are free above something that stands in them: windows, hatches, furniture before a door.
+void report_windows(const Wall& wall, const std::vector<SliceKind>& kinds, const DoorFinderConfig& config,
+                    WallGaps& gaps) {
+  const auto is_window = [&](std::size_t i) {
+    return kinds[i] == SliceKind::kWall &&
+           shares_of(wall.slices, i, i + 1, wall.band).free >= 0.5 * config.min_free_share;
+  };
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    Run run{i, i};
+    while (run.to < kinds.size() && is_window(run.to)) ++run.to;
+    if (static_cast<double>(run.size()) * wall.map.resolution_m() < config.min_width_m) continue;
+    GapDiagnostics seen = look_at(wall, run, config);
+    seen.reason = seen.foot_free_share < 0.5 * config.min_free_share
+                      ? "a sill stands in it: a window or a hatch"
+                      : "something stands in it";
+    gaps.diagnostics.push_back(seen);
+    i = run.to;
+  }
+}
+
+void find_in(const Wall& wall, const DoorFinderConfig& config, WallGaps& gaps) {
   const double r = wall.map.resolution_m();
   const GapLengths lengths{slices_of(config.min_width_m, r), slices_of(kBridge_m, r),
                            slices_of(config.min_unexplored_m, r)};
-  std::vector<DoorEstimate> doors;
-  for (const Gap& gap : find_gaps(kinds_of(wall, config), lengths)) {
-    for (const Run& run : gap.open)
-      doors.push_back(describe(wall, run, state_of_open(wall, run, config), config));
+  const auto kinds = kinds_of(wall, config);
+  const auto first = static_cast<std::ptrdiff_t>(gaps.doors.size());
+  for (const Gap& gap : find_gaps(kinds, lengths)) {
+    for (const Run& run : gap.open) {
+      const GapDiagnostics seen = look_at(wall, run, config);
+      report(wall, run, seen, judge_open(wall, seen, config), config, gaps);
+    }
     for (const Run& run : gap.rest) {
-      if (const auto state = state_of_rest(wall, run, config))
-        doors.push_back(describe(wall, run, *state, config));
+      const GapDiagnostics seen = look_at(wall, run, config);
+      if (const auto judgement = judge_rest(seen, config)) report(wall, run, seen, *judgement, config, gaps);
     }
   }
-  std::stable_sort(doors.begin(), doors.end(),
+  report_windows(wall, kinds, config, gaps);
+  std::stable_sort(gaps.doors.begin() + first, gaps.doors.end(),
                    [](const DoorEstimate& a, const DoorEstimate& b) { return a.gap.from_m < b.gap.from_m; });
-  return doors;
 }
 
 }  // namespace
 
 DoorFinder::DoorFinder(const DoorFinderConfig& config) : config_(config) {}
 
-WallGaps DoorFinder::find(const ColumnMap& map, const Rectangle& rectangle,
-                          std::span<const WallPoint> hits) const {
+WallGaps DoorFinder::find(const ColumnMap& map, const Rectangle& rectangle, std::span<const WallPoint> hits,
+                          std::span<const Sighting> sightings) const {
   const Levels band = level_range(level_of(config_.band_from_m, map.resolution_m()),
                                   level_of(config_.band_to_m, map.resolution_m()));
   WallGaps gaps;
   double unexplored = 0.0, slices = 0.0;
   for (int i = 0; i < 4; ++i) {
-    const Wall wall{map,  rectangle,
-                    i,    profile_wall(map, rectangle, i),
-                    band, hits_by_wall(hits, rectangle, i, config_.jamb)};
-    const auto doors = doors_in(wall, config_);
-    gaps.doors.insert(gaps.doors.end(), doors.begin(), doors.end());
+    const Wall wall{map,      rectangle,
+                    i,        profile_wall(map, rectangle, i),
+                    band,     hits_by_wall(hits, rectangle, i, config_.jamb),
+                    sightings};
+    find_in(wall, config_, gaps);
     const auto size = static_cast<double>(wall.slices.size());
     unexplored += size * shares_of(wall.slices, 0, wall.slices.size(), band).unknown();
     slices += size;

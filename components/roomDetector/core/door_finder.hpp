@@ -6,7 +6,7 @@
 
 #include "components/roomDetector/core/column_map.hpp"
 #include "components/roomDetector/core/jamb_fit.hpp"
-#include "interfaces/model/room.hpp"
+#include "interfaces/model/room_diagnostics.hpp"
 
 namespace enfilade::room_detector {
 
@@ -18,17 +18,25 @@ struct DoorFinderConfig {
   double sill_m = 0.45;              ///< an opening that is not free below this is a window or a hatch
   double min_width_m = 0.6;
   double max_width_m = 3.0;  ///< wider than a door leaf, for openings without one; more is a wall not there
-  double min_unexplored_m = 0.2;  ///< shorter stretches without evidence are not reported
-  double beyond_from_m = 0.3;     ///< what lies so far behind the wall …
-  double beyond_to_m = 8.0;       ///< … to so far, and
-  double beyond_floor_m = 0.3;    ///< so high above the floor, tells a room from open ground
+  double min_unexplored_m = 0.2;     ///< shorter stretches without evidence are not reported
+  double min_returns_behind = 30.0;  ///< seen through the gap; fewer: glass, or nothing in reach of the laser
+  double beyond_from_m = 0.3;        ///< what lies so far behind the wall …
+  double beyond_to_m = 8.0;          ///< … to so far, and
+  double beyond_floor_m = 0.3;       ///< so high above the floor, tells a room from open ground
   JambFitConfig jamb;
+};
+
+/// A return of the laser and whence it was measured.
+struct Sighting {
+  Point2 from, at;
+  double weight = 1.0;
 };
 
 /// The gaps of all four walls, by wall and then by position, and how much of the walls was never observed.
 struct WallGaps {
   std::vector<DoorEstimate> doors;
-  double unexplored_share = 1.0;  ///< of the cells of the wall planes within the band
+  double unexplored_share = 1.0;            ///< of the cells of the wall planes within the band
+  std::vector<GapDiagnostics> diagnostics;  ///< of every gap, and of openings that are no doors
 };
 
 /// Doors by evidence: eq. 14 asks for segments without points; this asks, besides, that somebody has looked
@@ -38,7 +46,9 @@ class DoorFinder {
  public:
   explicit DoorFinder(const DoorFinderConfig& config);
   /// `hits`: returns at the heights of band_from_m … band_to_m, from which the ends of open gaps are fitted.
-  WallGaps find(const ColumnMap& map, const Rectangle& rectangle, std::span<const WallPoint> hits = {}) const;
+  /// `sightings`: returns of all heights; without any, nothing is asked about what lies behind a gap.
+  WallGaps find(const ColumnMap& map, const Rectangle& rectangle, std::span<const WallPoint> hits = {},
+                std::span<const Sighting> sightings = {}) const;
 
  private:
   DoorFinderConfig config_;

@@ -8,9 +8,13 @@
 namespace enfilade::room_detector {
 namespace {
 
-constexpr double kStrayShare = 0.02;  // of the returns of a face that lie beyond its end by noise
-constexpr double kHidden_m = 0.075;   // a face that ends so far before the gap is hidden, not at its end
-constexpr double kFrame_m = 0.02;     // a face that reaches so far past the reveal is a door frame
+constexpr double kStrayShare = 0.02;      // of the returns of a face that lie beyond its end by noise
+constexpr double kHidden_m = 0.075;       // a face that ends so far before the gap is hidden, not at its end
+constexpr double kFineCell_m = 0.01;      // the returns are summed up by columns of this side
+constexpr double kSameBeam_m = 0.004;     // returns so close together say nothing of the spacing of beams
+constexpr double kSpacingReach_m = 0.25;  // of the end, where the spacing of beams is looked at
+constexpr double kSteady_m = 0.001;       // no edge of a building is straighter
+constexpr double kFrame_m = 0.02;         // a face that reaches so far past the reveal is a door frame
 
 /// One end of a gap. Positions are counted into the gap, from the edge of the cells.
 struct End {
@@ -53,8 +57,14 @@ double position_at(std::span<const Sample> samples, double weight) {
   return samples.back().into_m;
 }
 
+/// Where an end is, and how well that is known.
+struct EndFit {
+  double into_m;
+  double sigma_m;
+};
+
 /// The jamb itself: the fullest stretch of `reveal_width_m` behind the wall, if it has depth; its median.
-std::optional<double> find_reveal(const std::vector<Sample>& samples, const JambFitConfig& config) {
+std::optional<EndFit> find_reveal(const std::vector<Sample>& samples, const JambFitConfig& config) {
   std::span<const Sample> best;
   double best_weight = 0.0, weight = 0.0;
   for (std::size_t from = 0, to = 0; to < samples.size(); ++to) {
@@ -69,25 +79,42 @@ std::optional<double> find_reveal(const std::vector<Sample>& samples, const Jamb
   const auto [near, far] = std::minmax_element(
       best.begin(), best.end(), [](const Sample& a, const Sample& b) { return a.outside_m < b.outside_m; });
   if (far->outside_m - near->outside_m < config.min_reveal_m) return std::nullopt;
-  return position_at(best, 0.5 * best_weight);
+  const double spread = best.front().into_m - best.back().into_m;
+  return EndFit{position_at(best, 0.5 * best_weight),
+                kSteady_m + spread / std::sqrt(12.0 * static_cast<double>(best.size()))};
 }
 
-/// The end of the wall's face: its outermost return, but for strays.
-std::optional<double> find_face_end(const std::vector<Sample>& samples, const JambFitConfig& config) {
+/// How far apart the returns on the face are along the wall, near its end.
+double spacing_of(const std::vector<Sample>& samples, double end_m) {
+  std::vector<double> gaps;
+  for (std::size_t i = 1; i < samples.size() && samples[i].into_m > end_m - kSpacingReach_m; ++i) {
+    const double gap = samples[i - 1].into_m - samples[i].into_m;
+    if (samples[i - 1].into_m <= end_m && gap > kSameBeam_m) gaps.push_back(gap);
+  }
+  if (gaps.empty()) return 0.0;
+  std::nth_element(gaps.begin(), gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2), gaps.end());
+  return gaps[gaps.size() / 2];
+}
+
+/// The end of the wall's face: its outermost return, but for strays, and half of the way to the first beam
+/// that missed it.
+std::optional<EndFit> find_face_end(const std::vector<Sample>& samples, const JambFitConfig& config) {
   const double weight = weight_of(samples);
   if (weight < config.min_weight) return std::nullopt;
-  return position_at(samples, kStrayShare * weight);
+  const double end = position_at(samples, kStrayShare * weight), spacing = spacing_of(samples, end);
+  return EndFit{end + 0.5 * std::max(0.0, spacing - kFineCell_m),
+                kSteady_m + std::max(spacing, kFineCell_m) / std::sqrt(12.0)};
 }
 
-double fit_end(std::span<const HitByWall> hits, const End& end, const JambFitConfig& config) {
+EndFit fit_end(std::span<const HitByWall> hits, const End& end, const JambFitConfig& config, double cell_m) {
   const auto face =
       find_face_end(samples_at(hits, end, -config.face_m, config.face_m, config.reach_m), config);
   auto behind = samples_at(hits, end, config.reveal_from_m, config.reveal_to_m, config.reach_m);
   // Where the face goes on, returns behind it are its noise, or those of a jamb with a frame before it.
-  if (face) std::erase_if(behind, [&](const Sample& s) { return s.into_m < *face - kFrame_m; });
-  if (const auto reveal = find_reveal(behind, config)) return end.at_m + end.into_gap * *reveal;
-  const bool is_hidden = !face || *face < -kHidden_m;
-  return is_hidden ? end.at_m : end.at_m + end.into_gap * *face;
+  if (face) std::erase_if(behind, [&](const Sample& s) { return s.into_m < face->into_m - kFrame_m; });
+  if (const auto reveal = find_reveal(behind, config)) return *reveal;
+  const bool is_hidden = !face || face->into_m < -kHidden_m;
+  return is_hidden ? EndFit{0.0, 2.0 * cell_m / std::sqrt(12.0)} : *face;
 }
 
 }  // namespace
@@ -108,14 +135,15 @@ std::vector<HitByWall> hits_by_wall(std::span<const WallPoint> hits, const Recta
   return seen;
 }
 
-WallInterval fit_jambs(std::span<const HitByWall> hits, const WallInterval& gap,
-                       const JambFitConfig& config) {
+double FittedGap::width_sigma_m() const { return std::hypot(from_sigma_m, to_sigma_m); }
+
+FittedGap fit_jambs(std::span<const HitByWall> hits, const WallInterval& gap, const JambFitConfig& config,
+                    double cell_m) {
   JambFitConfig shy = config;  // no end may come near the other one
   shy.reach_m = std::min(config.reach_m, 0.4 * gap.width_m());
-  WallInterval fitted = gap;
-  fitted.from_m = fit_end(hits, {gap.from_m, 1.0}, shy);
-  fitted.to_m = fit_end(hits, {gap.to_m, -1.0}, shy);
-  return fitted;
+  const EndFit from = fit_end(hits, {gap.from_m, 1.0}, shy, cell_m);
+  const EndFit to = fit_end(hits, {gap.to_m, -1.0}, shy, cell_m);
+  return {{gap.wall, gap.from_m + from.into_m, gap.to_m - to.into_m}, from.sigma_m, to.sigma_m};
 }
 
 }  // namespace enfilade::room_detector

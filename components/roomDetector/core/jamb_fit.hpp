@@ -30,8 +30,18 @@ struct HitByWall {
 std::vector<HitByWall> hits_by_wall(std::span<const WallPoint> hits, const Rectangle& rectangle, int wall,
                                     const JambFitConfig& config);
 
-/// The interval with both ends moved from the edges of cells to the jambs: to the returns from the jamb
-/// itself where it was seen, else to where the face of the wall ends. An end that no returns tell stays.
-WallInterval fit_jambs(std::span<const HitByWall> hits, const WallInterval& gap, const JambFitConfig& config);
+/// A gap whose ends were fitted, and how well they are known (standard deviations).
+struct FittedGap {
+  WallInterval gap;
+  double from_sigma_m = 0.0, to_sigma_m = 0.0;
+
+  double width_sigma_m() const;
+};
+
+/// The interval with both ends moved from the edges of cells of `cell_m` to the jambs: to the returns from
+/// the jamb itself where it was seen, else to where the face of the wall ends. An end that no returns tell
+/// stays.
+FittedGap fit_jambs(std::span<const HitByWall> hits, const WallInterval& gap, const JambFitConfig& config,
+                    double cell_m = 0.05);
 
 }  // namespace enfilade::room_detector

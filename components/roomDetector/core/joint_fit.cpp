@@ -194,6 +194,7 @@ std::optional<JointFit> JointFitter::fit(std::span<const StandPoints> stands, co
   steps(0, 0) += std::pow(config_.wall_sigma_m / longest, 2);
   steps += config_.range_bias_sigma_m * config_.range_bias_sigma_m * per_bias * per_bias.transpose();
   const WallMatrix m = parameters_by_step(problem.rectangle);
+  result.room.per_range_bias = m * per_bias;
   result.room.covariance = m * steps * m.transpose();
   return result;
 }

@@ -26,6 +26,8 @@ struct RectangleFit {
   Rectangle rectangle;
   Eigen::Matrix<double, 5, 5> covariance =
       Eigen::Matrix<double, 5, 5>::Zero();  ///< of (α, x_c, y_c, w, h), statistical only
+  Eigen::Matrix<double, 5, 1> per_range_bias =
+      Eigen::Matrix<double, 5, 1>::Zero();  ///< how they move for each metre the laser measures too much
   std::array<double, 4> support{};          ///< measurements within the last gate, by wall
   double rms_m = 0.0;                       ///< of their distances to their walls
 

@@ -16,6 +16,9 @@ Point2 origin_near(const std::optional<Pose2>& T_zone_base) {
   return {std::round(T_zone_base->x_m), std::round(T_zone_base->y_m)};
 }
 
+constexpr double kLeastWall_m =
+    0.3;  // of net evidence, that a room ends there; the corner of another wall is less
+
 using Columns = std::unordered_set<const Column*>;
 
 bool is_beside(const Columns& columns, const ColumnMap& map, const Column& column) {
@@ -59,16 +62,35 @@ Detection RoomDetector::estimate(const std::optional<Pose2>& T_zone_base) {
   const HoughSpace& space = votes_.update(map_, band, origin_near(T_zone_base));  // eq. 1–3, steps 1 and 2
   const auto robot = T_zone_base ? std::optional(T_zone_base->translation()) : std::nullopt;
   const auto best = search_.find_best(space, robot);  // eq. 5–9, step 3
-  if (!best || best->score <= 0 || !best->is_closed()) return d;
+  if (!best || best->score <= 0 || !is_closed(*best)) return d;
   d.diagnostics = {
       .above_furniture = band.above_furniture, .search = *best, .coarse = space.rectangle(best->rectangle)};
   d.estimate.found = true;
-  d.estimate.score = votes_.cells(best->score);
+  d.estimate.score = best->score / votes_.unit();
   d.estimate.rectangle = d.diagnostics.coarse;  // eq. 10–13, step 4
   if (config_.refine) refine(d, band);
   find_doors(d, space);  // eq. 14–16
   fit_recent(d, band);   // r(i+1) of eq. 18–19
   return d;
+}
+
+RoomDiagnostics RoomDetector::explain(const Detection& d) const {
+  RoomDiagnostics out;
+  out.found = d.estimate.found;
+  out.above_furniture = d.diagnostics.above_furniture;
+  out.gaps = d.diagnostics.gaps;
+  if (!d.estimate.found || !votes_.space()) return out;
+  explain_score({*votes_.space(), d.diagnostics.search, votes_.unit()}, out);
+  if (d.diagnostics.fit) explain_fit(*d.diagnostics.fit, d.diagnostics.coarse, out);
+  return out;
+}
+
+/// Whether at least one wall shows how far the room goes each way. One wall alone, or two parallel ones, are
+/// a corridor of which no end has been seen.
+bool RoomDetector::is_closed(const SearchResult& best) const {
+  const auto [h12, h23, h34, h41] = best.walls;
+  const double least = votes_.wall(kLeastWall_m, map_.resolution_m());
+  return std::max(h12, h34) >= least && std::max(h23, h41) >= least;
 }
 
 /// Those in the room, if there are any: what was seen from elsewhere may be the other face of a wall.
@@ -101,12 +123,26 @@ std::vector<WallPoint> RoomDetector::door_hits(const Detection& d) const {
   for (std::size_t i = 0; i < stands_.all().size(); ++i) {
     const auto& corrections = d.diagnostics.corrections;
     const Pose2 correction = i < corrections.size() ? corrections[i] : Pose2{};
-    for (WallPoint point : stands_.all()[i].fine_hits.points(0, kLevels + 1)) {
+    for (WallPoint point : stands_.all()[i].fine_hits.points(0, kLevels)) {
       point.position = correction * point.position;
       hits.push_back(point);
     }
   }
   return hits;
+}
+
+std::vector<Sighting> RoomDetector::sightings(const Detection& d) const {
+  std::vector<Sighting> seen;
+  for (std::size_t i = 0; i < stands_.all().size(); ++i) {
+    const Stand& stand = stands_.all()[i];
+    if (stand.merged > 0) continue;
+    const auto& corrections = d.diagnostics.corrections;
+    const Pose2 correction = i < corrections.size() ? corrections[i] : Pose2{};
+    const Point2 from = correction * stand.T_zone_base.translation();
+    for (const WallPoint& point : stand.hits.points(0, kLevels))
+      seen.push_back({from, correction * point.position, point.weight});
+  }
+  return seen;
 }
 
 void RoomDetector::refine(Detection& d, const WallBand& band) const {
@@ -137,7 +173,8 @@ void RoomDetector::refine(Detection& d, const WallBand& band) const {
 }
 
 void RoomDetector::find_doors(Detection& d, const HoughSpace& space) const {
-  WallGaps gaps = door_finder_.find(map_, d.estimate.rectangle, door_hits(d));
+  WallGaps gaps = door_finder_.find(map_, d.estimate.rectangle, door_hits(d), sightings(d));
+  d.diagnostics.gaps = std::move(gaps.diagnostics);
   d.estimate.unexplored_wall_share = gaps.unexplored_share;
   if (config_.doors == DoorMethod::kEvidence) {
     d.estimate.doors = std::move(gaps.doors);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "components/roomDetector/core/door_finder.hpp"
+#include "components/roomDetector/core/explain.hpp"
 #include "components/roomDetector/core/joint_fit.hpp"
 #include "components/roomDetector/core/paper_doors.hpp"
 #include "components/roomDetector/core/rectangle_fit.hpp"
@@ -39,7 +40,8 @@ struct DetectionDiagnostics {
   SearchResult search;
   Rectangle coarse;  ///< eq. 10–13, before the refinement
   std::optional<RectangleFit> fit;
-  std::vector<Pose2> corrections;  ///< T_zone_odom of each stand of the robot, where they were estimated
+  std::vector<GapDiagnostics> gaps;  ///< of door_finder
+  std::vector<Pose2> corrections;    ///< T_zone_odom of each stand of the robot, where they were estimated
   std::optional<RectangleFit> recent_fit;
 };
 
@@ -60,15 +62,19 @@ class RoomDetector {
   /// The room model of this moment. `robot` is where the robot stands in the zone frame, if that is known.
   /// The caller fills in tag, sequence and stamps.
   Detection estimate(const std::optional<Pose2>& T_zone_base);
+  /// Why the last estimate is what it is. The caller fills in tag, sequence and stamp.
+  RoomDiagnostics explain(const Detection& d) const;
 
  private:
   void refine(Detection& d, const WallBand& band) const;
   void find_doors(Detection& d, const HoughSpace& space) const;
   void fit_recent(Detection& d, const WallBand& band) const;
   /// Returns, and centres of the cells far from any: those of a snapshot taken after a restart.
+  bool is_closed(const SearchResult& best) const;
   std::vector<std::size_t> stands_in(const Rectangle& room) const;
   std::vector<WallPoint> cells_far_from(const std::vector<StandPoints>& stands, const WallBand& band) const;
   std::vector<WallPoint> door_hits(const Detection& d) const;
+  std::vector<Sighting> sightings(const Detection& d) const;
 
   RoomDetectorConfig config_;
   ColumnMap map_;

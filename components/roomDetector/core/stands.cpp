@@ -12,6 +12,7 @@ constexpr double kFineCell_m = 0.01;
 }  // namespace
 
 void Stands::add(const ScanHits& line, double resolution_m) {
+  if (!std::isfinite(line.T_zone_base.x_m + line.T_zone_base.y_m + line.T_zone_base.yaw_rad)) return;
   if (is_new_stand(line.T_zone_base)) {
     stands_.push_back({.T_zone_base = line.T_zone_base, .hits = {}, .fine_hits = {}});
     if (stands_.size() > static_cast<std::size_t>(config_.most)) put_oldest_together();

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "components/roomDetector/core/wall_votes.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include "components/roomDetector/core/wall_votes.hpp"
 
 namespace enfilade::room_detector {
 
 namespace {
+
+// ln(P / (1 − P)) of P = 0.95: how sure one ordinary column of wall makes of a wall. Its cells are looked at
+// by the same few beams and count as one observation.
+const double kNatsPerWallColumn = std::log(0.95 / 0.05);
 
 bool is_wall_like(int occupied) { return occupied >= 2; }
 
@@ -37,6 +41,10 @@ const HoughSpace& WallVotes::update(ColumnMap& map, const WallBand& band, const 
   }
   space_->set_penalties(penalties(map.resolution_m()));
   return *space_;
+}
+
+double WallVotes::unit() const {
+  return weighs_evidence() ? per_cell() * ordinary_ / kNatsPerWallColumn : per_cell();
 }
 
 /// Keeps the mean number of occupied cells in a column of wall: all of the band where the sensor has looked

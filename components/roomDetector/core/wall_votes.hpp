@@ -32,8 +32,14 @@ class WallVotes {
   /// the origin has changed.
   const HoughSpace& update(ColumnMap& map, const WallBand& band, const Point2& origin);
   void clear() { space_.reset(); }
-  /// The score in units of occupied cells.
-  double cells(int score) const { return static_cast<double>(score) / per_cell(); }
+  /// As of the last update; null before the first.
+  const HoughSpace* space() const { return space_ ? &*space_ : nullptr; }
+  /// What a score of one unit is in the votes: a nat where evidence is weighed, else an occupied cell.
+  double unit() const;
+  /// Votes of so much wall as this grid shows it.
+  double wall(double length_m, double resolution_m) const {
+    return per_cell() * ordinary_ * length_m / resolution_m;
+  }
 
  private:
   bool weighs_evidence() const { return config_.score == Score::kEvidence && band_.above_furniture; }

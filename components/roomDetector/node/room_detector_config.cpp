@@ -83,6 +83,7 @@ void bind(ConfigBinder& c, DoorFinderConfig& doors) {
   c.number("min_width_m", doors.min_width_m, 0.1, 5.0);
   c.number("max_width_m", doors.max_width_m, 0.2, 20.0);
   c.number("min_unexplored_m", doors.min_unexplored_m, 0.02, 5.0);
+  c.number("min_returns_behind", doors.min_returns_behind, 0.0, 1e6);
   c.number("beyond_from_m", doors.beyond_from_m, 0.0, 5.0);
   c.number("beyond_to_m", doors.beyond_to_m, 0.1, 30.0);
   c.number("beyond_floor_m", doors.beyond_floor_m, 0.0, 2.0);
@@ -94,6 +95,7 @@ void bind(ConfigBinder& c, DoorFinderConfig& doors) {
 void bind(ConfigBinder& c, RoomDetectorNodeConfig& config) {
   RoomDetectorConfig& d = config.detector;
   c.group("period", [&](ConfigBinder& g) { enfilade::bind(g, config.period); });
+  c.number("diagnostics_period_s", config.diagnostics_period_s, 0.0, 3600.0);
   bind(c, d.hough);
   bind(c, d.band);
   bind(c, d.votes);

@@ -11,10 +11,12 @@ RoomDetectorNode::RoomDetectorNode(const NodeContext& context, const RoomDetecto
       detector_(config.detector),
       grid_({.start = [this](const GridChange& change) { start_grid(change); },
              .apply = [this](const GridChange& change) { apply(change); },
-             .ask_for_snapshot = [this] { ask_for_snapshot(); }}) {}
+             .ask_for_snapshot = [this] { ask_for_snapshot(); }}),
+      diagnostics_period_s_(config.diagnostics_period_s) {}
 
 void RoomDetectorNode::initialize() {
   estimate_ = context_.bus.advertise(topics::kRoomEstimate);
+  diagnostics_ = context_.bus.advertise(topics::kRoomDiagnostics);
   snapshot_.emplace(context_, topics::kGridSnapshot);
   context_.bus.subscribe<GridChange>(topics::kGridChange,
                                      [this](const GridChange& change) { grid_.take_change(change); });
@@ -33,7 +35,19 @@ void RoomDetectorNode::compute() {
   estimate.grid_sequence = grid_.sequence();
   estimate.stamp_ns = std::max(grid_stamp_ns_, hits_stamp_ns_);
   if (estimate.recent) estimate.recent_stamp_ns = hits_stamp_ns_;
+  publish_diagnostics(detection, estimate);
   estimate_.publish(std::move(estimate));
+}
+
+void RoomDetectorNode::publish_diagnostics(const Detection& detection, const RoomEstimate& estimate) {
+  const StampNs now_ns = context_.clock.now_ns();
+  if (explained_ns_ && seconds(now_ns - *explained_ns_) < diagnostics_period_s_) return;
+  explained_ns_ = now_ns;
+  RoomDiagnostics why = detector_.explain(detection);
+  why.tag = estimate.tag;
+  why.grid_sequence = estimate.grid_sequence;
+  why.stamp_ns = estimate.stamp_ns;
+  diagnostics_.publish(std::move(why));
 }
 
 void RoomDetectorNode::start_grid(const GridChange& change) {

@@ -29,7 +29,12 @@ class RoomDetectorNode : public Node {
   NodeContext context_;
   RoomDetector detector_;
   GridFollower grid_;
+  void publish_diagnostics(const Detection& detection, const RoomEstimate& estimate);
+
   Publisher<RoomEstimate> estimate_;
+  Publisher<RoomDiagnostics> diagnostics_;
+  double diagnostics_period_s_;
+  std::optional<StampNs> explained_ns_;
   std::optional<Client<GridSnapshotRequest, GridSnapshotReply>> snapshot_;
   std::optional<Pose2> T_zone_base_;
   StampNs grid_stamp_ns_ = 0, hits_stamp_ns_ = 0;

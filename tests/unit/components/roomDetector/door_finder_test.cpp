@@ -87,6 +87,74 @@ TEST(DoorFinder, FindsTheSameDoorAtAnotherResolution) {
   EXPECT_NEAR(gaps.doors[0].gap.width_m(), 0.9, 0.11);
 }
 
+constexpr Rectangle kRoom{0.0, 0.0, 0.0, 4.05, 3.05};  // through the middle of the wall cells
+
+/// The room with an opening between `from` and `to` along wall 0, free from the floor to `top_m`.
+ColumnMap room_with_gap(double from_m, double to_m, double top_m = 2.0) {
+  ColumnMap map;
+  map.clear(0.05);
+  map.apply(test::ideal_room([&](double x, double y, double z) {
+              const double along = y + 1.5;
+              return x > 2.0 && along > from_m && along < to_m && z < top_m ? CellState::kFree
+                                                                            : CellState::kOccupied;
+            }).cells);
+  return map;
+}
+
+/// Returns of a wall `depth_m` behind wall 0, seen from the middle of the room.
+std::vector<Sighting> seen_behind(double depth_m) {
+  std::vector<Sighting> seen;
+  for (double y = -0.5; y < 0.4; y += 0.01)
+    seen.push_back({Point2::Zero(), {2.025 + depth_m, y * (2.025 + depth_m) / 2.025}});
+  return seen;
+}
+
+TEST(DoorFinder, FindsADoubleDoorWhole) {
+  const auto gaps = DoorFinder({}).find(room_with_gap(0.5, 2.3), kRoom);
+  ASSERT_EQ(gaps.doors.size(), 1u);
+  EXPECT_EQ(gaps.doors[0].state, DoorState::kOpen);
+  EXPECT_NEAR(gaps.doors[0].gap.width_m(), 1.8, 0.06);
+}
+
+TEST(DoorFinder, FindsADoorInACorner) {
+  const auto gaps = DoorFinder({}).find(room_with_gap(0.1, 0.95), kRoom);
+  ASSERT_EQ(gaps.doors.size(), 1u);
+  EXPECT_EQ(gaps.doors[0].state, DoorState::kOpen);
+  EXPECT_NEAR(gaps.doors[0].gap.from_m, 0.1, 0.06);
+  EXPECT_NEAR(gaps.doors[0].gap.to_m, 0.975, 0.06);
+}
+
+TEST(DoorFinder, FindsADoorWithAWallHalfAMetreBehindIt) {
+  const auto gaps = DoorFinder({}).find(room_with_gap(1.0, 1.9), kRoom, {}, seen_behind(0.5));
+  ASSERT_EQ(gaps.doors.size(), 1u);
+  EXPECT_EQ(gaps.doors[0].state, DoorState::kOpen);
+  EXPECT_NEAR(gaps.doors[0].gap.width_m(), 0.9, 0.06);
+}
+
+TEST(DoorFinder, OnlyDeemsAnOpeningPossibleThroughWhichNothingWasSeen) {
+  const std::vector<Sighting> the_wall_itself{{Point2::Zero(), {2.025, 1.0}}};
+  const auto gaps = DoorFinder({}).find(room_with_gap(1.0, 1.9), kRoom, {}, the_wall_itself);
+  ASSERT_EQ(gaps.doors.size(), 1u);
+  EXPECT_EQ(gaps.doors[0].state, DoorState::kPossible) << "it may be glass";
+}
+
+TEST(DoorFinder, SaysHowWellADoorIsKnown) {
+  const auto gaps = DoorFinder({}).find(room_with_gap(1.0, 1.9), kRoom);
+  ASSERT_EQ(gaps.doors.size(), 1u);
+  EXPECT_NEAR(gaps.doors[0].width_sigma_m, 2.0 * gaps.doors[0].position_sigma_m, 1e-12);
+  EXPECT_GT(gaps.doors[0].width_sigma_m, 0.01) << "no returns: known to cells";
+  EXPECT_GT(gaps.doors[0].height_sigma_m, 0.01);
+}
+
+TEST(DoorFinder, SaysWhyAWindowIsNoDoor) {
+  const auto gaps = gaps_of([](double x, double y, double z) {
+    return in_gap(x, y) && z > 0.9 && z < 2.0 ? CellState::kFree : CellState::kOccupied;
+  });
+  ASSERT_EQ(gaps.diagnostics.size(), 1u);
+  EXPECT_EQ(gaps.diagnostics[0].verdict, GapVerdict::kNoDoor);
+  EXPECT_NE(gaps.diagnostics[0].reason.find("sill"), std::string::npos);
+}
+
 TEST(PaperDoors, AreTheSegmentsWithoutPoints) {
   ColumnMap map;
   map.clear(0.05);

@@ -29,7 +29,7 @@ void add_reveals(std::vector<WallPoint>& hits) {
 }
 
 WallInterval fitted(const std::vector<WallPoint>& hits) {
-  return fit_jambs(hits_by_wall(hits, kJambRoom, 0, {}), kCells, {});
+  return fit_jambs(hits_by_wall(hits, kJambRoom, 0, {}), kCells, {}).gap;
 }
 
 TEST(FitJambs, StaysAtTheCellsWhereNothingWasSeen) { EXPECT_EQ(fitted({}), kCells); }

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "components/roomDetector/core/room_detector.hpp"
+#include "tests/unit/components/roomDetector/ideal_room.hpp"
+
+/// Whatever comes in, the answer is defined.
+namespace enfilade::room_detector {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInf = std::numeric_limits<float>::infinity();
+
+RoomDetector detector_in_a_room() {
+  RoomDetector detector({});
+  detector.clear(0.05);
+  detector.update(test::ideal_room([](double, double, double) { return CellState::kOccupied; }));
+  return detector;
+}
+
+void expect_the_room(const Detection& d) {
+  ASSERT_TRUE(d.estimate.found);
+  EXPECT_NEAR(d.estimate.rectangle.area_m2(), 4.05 * 3.05, 0.5);
+}
+
+TEST(HardInputs, ReturnsThatAreNoNumbersChangeNothing) {
+  RoomDetector detector = detector_in_a_room();
+  detector.add_hits({.hits = {{kNan, 0, 1, 1}, {0, kInf, 1, 1}, {0, 0, -kInf, 1}, {1e30F, 1, 1, 1}}});
+  expect_the_room(detector.estimate(Pose2{}));
+}
+
+TEST(HardInputs, ReturnsOfNoWeightChangeNothing) {
+  RoomDetector detector = detector_in_a_room();
+  detector.add_hits({.hits = std::vector<CellHit>(1000)});
+  expect_the_room(detector.estimate(Pose2{}));
+}
+
+TEST(HardInputs, AMillionReturnsInOneCellTakeTheRoomOfOne) {
+  RoomDetector detector = detector_in_a_room();
+  ScanHits line{.hits = std::vector<CellHit>(1000, {2.02F, 0.1F, 2.2F, 1000})};
+  for (int i = 0; i < 1000; ++i) detector.add_hits(line);
+  expect_the_room(detector.estimate(Pose2{}));
+}
+
+TEST(HardInputs, ReturnsFromNowhereChangeNothing) {
+  RoomDetector detector = detector_in_a_room();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (int i = 0; i < 100; ++i)
+    detector.add_hits({.T_zone_base = {nan, 0, 0}, .hits = {{2.02F, 0.1F, 2.2F, 1}}});
+  const Detection d = detector.estimate(Pose2{});
+  ASSERT_TRUE(d.estimate.found);
+  EXPECT_TRUE(std::isfinite(d.estimate.rectangle.width_m));
+}
+
+TEST(HardInputs, OneWallAloneIsNoRoom) {
+  RoomDetector detector({});
+  detector.clear(0.05);
+  GridChange wall{.sequence = 1, .resolution_m = 0.05};
+  for (std::int16_t y = -60; y < 60; ++y)
+    for (std::int16_t z = 0; z < 52; ++z) wall.cells.push_back({40, y, z, CellState::kOccupied});
+  detector.update(wall);
+  EXPECT_FALSE(detector.estimate(Pose2{}).estimate.found);
+}
+
+TEST(HardInputs, AnEmptyGridIsExplainedToo) {
+  RoomDetector detector({});
+  detector.clear(0.05);
+  const Detection d = detector.estimate(Pose2{});
+  EXPECT_FALSE(d.estimate.found);
+  EXPECT_FALSE(detector.explain(d).found);
+}
+
+TEST(HardInputs, TheScoreIsTheSumOfItsTerms) {
+  RoomDetector detector = detector_in_a_room();
+  const Detection d = detector.estimate(Pose2{});
+  const RoomDiagnostics why = detector.explain(d);
+  double sum = why.interior;
+  for (const WallDiagnostics& wall : why.walls) sum += wall.occupied + wall.free + wall.toll;
+  EXPECT_NEAR(sum, d.estimate.score, 1e-6);
+  EXPECT_NEAR(why.interior, 0.0, 1e-6) << "nothing stands in it";
+  for (const WallDiagnostics& wall : why.walls) EXPECT_GT(wall.occupied, 0.0);
+  ASSERT_FALSE(why.rejected.empty());
+  for (const RejectedRectangle& other : why.rejected) EXPECT_LT(other.score, why.score);
+  EXPECT_EQ(why.slice.levels.size(), static_cast<std::size_t>(why.slice.columns) * why.slice.rows);
+}
+
+}  // namespace
+}  // namespace enfilade::room_detector
