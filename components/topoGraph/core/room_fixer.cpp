@@ -43,6 +43,7 @@ FixRoomOutcome RoomFixer::fix(TopoState& state, const RoomEstimate& estimate) co
     return refused("the estimate is of zone " + std::to_string(estimate.tag.zone_id) +
                    ", the current one is " + std::to_string(current));
   }
+  if (!state.session.zone.located) return refused("the robot's place in the map is not known yet");
   if (!estimate.found || estimate.rectangle.width_m <= 0.0 || estimate.rectangle.height_m <= 0.0) {
     return refused("the estimate holds no room");
   }

@@ -16,6 +16,7 @@ TopoGraph::TopoGraph(const GraphConfig& config, TopoState state)
       changer_(config.changer),
       tracker_(config.tracker),
       minimiser_(config.minimiser, config.fixer.uncertainty),
+      localiser_(config.localiser),
       state_(std::move(state)) {
   if (config.remembered_answers < 1)
     throw std::invalid_argument("TopoGraph: remembered_answers must be at least 1");
@@ -32,6 +33,23 @@ FixRoomOutcome TopoGraph::fix_room(const FixRoomRequest& request, StampNs now_ns
   accept(now_ns, outcome.fixed,
          {reply.call, RequestKind::kFixRoom, reply.accepted, reply.message, reply.room});
   return outcome;
+}
+
+/// Started with a map but without a place in it.
+std::optional<PoseCorrection> TopoGraph::locate(const RoomEstimate& estimate) {
+  localiser_.take(state_.map, estimate);
+  const std::optional<PlaceHypothesis> place = localiser_.place();
+  if (!place) return std::nullopt;
+  Session& session = state_.session;
+  session.zone.located = true;
+  session.zone.room = place->room;
+  session.odom_boot = estimate.tag.odom_boot;
+  session.reference = get_room(state_, place->room).rectangle();
+  session.reference_ns = estimate.stamp_ns;
+  PoseCorrection correction{
+      .stamp_ns = estimate.stamp_ns, .reason = PoseCorrection::Reason::kLocalised, .room = place->room};
+  move_zone(place->T_map_zone, correction);
+  return correction;
 }
 
 /// A door that joins rooms beside the one that the robot came through, or a stored room found again, closes a
@@ -105,6 +123,10 @@ ObserveOutcome TopoGraph::observe(const RoomEstimate& estimate) {
   Session& session = state_.session;
   ObserveOutcome outcome;
   if (!estimate.found || estimate.tag.zone_id != session.zone.zone_id) return outcome;
+  if (!session.zone.located) {
+    outcome.correction = locate(estimate);
+    return outcome;
+  }
   if (!session.odom_boot) session.odom_boot = estimate.tag.odom_boot;
   outcome.odometry_restarted = *session.odom_boot != estimate.tag.odom_boot;
   if (outcome.odometry_restarted) {

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "components/topoGraph/core/localiser.hpp"
 #include "components/topoGraph/core/map_minimiser.hpp"
 #include "components/topoGraph/core/outcomes.hpp"
 #include "components/topoGraph/core/pose_tracker.hpp"
@@ -17,6 +18,7 @@ struct GraphConfig {
   ZoneChangerConfig changer;
   PoseTrackerConfig tracker;
   MapMinimiserConfig minimiser;
+  LocaliserConfig localiser;
   double review_unexplored_share =
       0.35;                     ///< an estimate with less unseen wall can tell that the room is another
   int review_misfits = 3;       ///< so many in a row withdraw an inferred door
@@ -45,6 +47,7 @@ class TopoGraph {
 
  private:
   MarkDoorOutcome mark(const MarkDoorRequest& request);
+  std::optional<PoseCorrection> locate(const RoomEstimate& estimate);
   void close_loops(FixRoomOutcome& outcome);
   void review(const RoomEstimate& estimate, ObserveOutcome& outcome);
   void confirm_door(ObserveOutcome& outcome);
@@ -58,6 +61,7 @@ class TopoGraph {
   ZoneChanger changer_;
   PoseTracker tracker_;
   MapMinimiser minimiser_;
+  Localiser localiser_;
   int misfits_ = 0;  ///< estimates in a row that are not of the room that this is taken for
   TopoState state_;
 };

@@ -16,6 +16,15 @@ TopoState first_state(StampNs now_ns) {
   return state;
 }
 
+TopoState lost_state(TopologicalMap map, const Session& before, StampNs now_ns) {
+  TopoState state{.map = std::move(map)};
+  state.session.zone = {.zone_id = before.zone.zone_id + 1, .located = false, .valid_from_ns = now_ns};
+  state.session.last_room = before.last_room;
+  state.session.last_door = before.last_door;
+  state.session.closures = before.closures;
+  return state;
+}
+
 const Answer* find_answer(const Session& session, RequestKind kind, const CallId& call) {
   const auto it = std::find_if(session.answers.begin(), session.answers.end(),
                                [&](const Answer& a) { return a.kind == kind && a.call == call; });

@@ -67,6 +67,9 @@ struct TopoState {
 /// The state before anything is known: zone 1, whose frame is the map's.
 TopoState first_state(StampNs now_ns);
 
+/// A new zone in a map that is kept, with no idea where in it: a room must be recognised first.
+TopoState lost_state(TopologicalMap map, const Session& before, StampNs now_ns);
+
 const Answer* find_answer(const Session& session, RequestKind kind, const CallId& call);
 
 /// Keeps the newest `capacity` answers.

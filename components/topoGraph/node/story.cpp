@@ -48,6 +48,8 @@ std::string tell(const FixRoomOutcome& outcome, const TopologicalMap& map) {
   if (room) text += print("%.2f × %.2f m", room->width_m, room->height_m);
   if (outcome.common_door) text += tell_common_door(outcome);
   if (!outcome.joined_doors.empty()) text += "; passage through " + doors(outcome.joined_doors);
+  if (outcome.minimised) text += "; loop closed, the whole map minimised (eq. 21)";
+  if (!outcome.withdrawn.empty()) text += "; taken back: " + doors(outcome.withdrawn);
   if (!outcome.new_doors.empty()) text += "; new " + doors(outcome.new_doors);
   return text;
 }
@@ -70,6 +72,10 @@ std::string tell(const ObserveOutcome& outcome, const TopologicalMap& map) {
   const RoomId id = outcome.correction->room;
   const Room* room = map.find_room(id);
   const std::string of = room ? room->name : name("room", id);
+  if (outcome.correction->reason == PoseCorrection::Reason::kLocalised)
+    return "found the place in the map: this is " + of;
+  if (outcome.room_withdrawn)
+    return "this is not the room that the map has here: the door leads to another one";
   if (outcome.room_found_again) return "odometry started anew; " + of + " found again in it";
   return "pose corrected by " + motion(*outcome.correction) + " after " + of + " (eq. 18-19)";
 }

@@ -65,6 +65,17 @@ void bind(ConfigBinder& c, MapMinimiserConfig& config) {
   c.number("withdraw_weight", config.withdraw_weight, 0.0, 0.99);
 }
 
+void bind(ConfigBinder& c, LocaliserConfig& config) {
+  c.number("size_sigma_m", config.size_sigma_m, 0.005, 1.0);
+  c.number("door_sigma_m", config.door_sigma_m, 0.01, 2.0);
+  c.number("missing_door_nats", config.missing_door_nats, 0.0, 100.0);
+  c.number("motion_sigma_m", config.motion_sigma_m, 0.01, 10.0);
+  c.number("motion_share", config.motion_share, 0.0, 1.0);
+  c.number("motion_sigma_rad", config.motion_sigma_rad, 0.001, 1.0);
+  c.number("elsewhere_nats", config.elsewhere_nats, 1.0, 100.0);
+  c.number("certain", config.certain, 0.51, 0.9999);
+}
+
 }  // namespace
 
 void bind(ConfigBinder& c, TopoGraphConfig& config) {
@@ -72,6 +83,7 @@ void bind(ConfigBinder& c, TopoGraphConfig& config) {
   c.group("period", [&](ConfigBinder& group) { bind(group, config.period); });
   c.text("map_file", config.map_file);
   c.flag("resume", config.resume);
+  c.flag("locate", config.locate);
   c.number("inside_room_m", graph.changer.inside_room_m, 0.0, 2.0);
   c.integer("remembered_answers", graph.remembered_answers, 1, 10000);
   c.group("common_door", [&](ConfigBinder& group) { bind(group, graph.fixer.common_door); });
@@ -83,6 +95,7 @@ void bind(ConfigBinder& c, TopoGraphConfig& config) {
     group.number("review_unexplored_share", graph.review_unexplored_share, 0.0, 1.0);
     group.integer("review_misfits", graph.review_misfits, 1, 1000);
   });
+  c.group("localisation", [&](ConfigBinder& group) { bind(group, graph.localiser); });
   c.group("minimisation", [&](ConfigBinder& group) { bind(group, graph.minimiser); });
   graph.changer.face_match = graph.fixer.face_match;
 }

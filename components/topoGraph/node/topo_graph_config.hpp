@@ -12,6 +12,7 @@ struct TopoGraphConfig {
   PeriodConfig period{.compute_s = 0.05};  ///< of tf map → odom
   std::string map_file;                    ///< where map and session are kept; "" = nowhere
   bool resume = false;                     ///< go on with the session in map_file, where there is one
+  bool locate = false;                     ///< with resume: the robot may stand anywhere in the map
   GraphConfig graph;
 };
 

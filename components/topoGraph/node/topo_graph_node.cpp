@@ -28,7 +28,7 @@ TopoState TopoGraphNode::start_state() {
   if (config_.resume) {
     TopoState state = load_state(file);
     context_.log.info(tell_resumed(state));
-    return state;
+    return config_.locate ? lost_state(state.map, state.session, context_.clock.now_ns()) : state;
   }
   const std::filesystem::path kept = file.string() + ".previous";
   std::filesystem::rename(file, kept);
