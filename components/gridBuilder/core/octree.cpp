@@ -28,8 +28,9 @@ std::unique_ptr<octomap::OcTree> make_octree(const ZoneGridConfig& config) {
 
 std::unique_ptr<octomap::OcTree> to_octree(const ZoneGrid& grid) {
   auto tree = make_octree(grid.config());
-  grid.for_each_known(
-      [&tree](const CellIndex& index, float log_odds) { tree->setNodeValue(octree_key_of(index), log_odds, true); });
+  grid.for_each_known([&tree](const CellIndex& index, float log_odds) {
+    tree->setNodeValue(octree_key_of(index), log_odds, true);
+  });
   tree->updateInnerOccupancy();
   tree->prune();
   return tree;

@@ -10,8 +10,8 @@
 namespace enfilade::grid_builder {
 
 struct ScanRegistrarConfig {
-  bool register_scans = false;  ///< false: T_zone_odom stays the identity
-  double from_m = 0.3;          ///< returns at these heights may lie on a wall
+  bool register_scans = true;  ///< false: T_zone_odom stays the identity
+  double from_m = 0.3;         ///< returns at these heights may lie on a wall
   double to_m = 2.4;
   double first_gate_m = 0.25;  ///< returns farther from a wall do not belong to it (Tukey), at first …
   double last_gate_m = 0.04;   ///< … and at last
