@@ -1,75 +1,49 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "components/topoGraph/storage/atomic_file.hpp"
 
-#include <cerrno>
 #include <string>
-#include <system_error>
-
-#include <fcntl.h>
-#include <unistd.h>
 
 namespace enfilade::topo_graph {
 namespace {
 
-[[noreturn]] void fail(const std::string& what, const std::filesystem::path& path) {
-  throw std::system_error(errno, std::generic_category(), "cannot " + what + " " + path.string());
+namespace fs = std::filesystem;
+
+fs::path with_ending(const fs::path& path, const char* ending) { return path.string() + ending; }
+
+fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : "."; }
+
+void create_folders(const fs::path& folder, Disk& disk) {
+  if (fs::exists(folder)) return;
+  create_folders(folder_of(folder), disk);
+  fs::create_directory(folder);
+  disk.sync_folder(folder_of(folder));
 }
 
-class Descriptor {
- public:
-  Descriptor(const std::filesystem::path& path, int flags)
-      : path_(path), fd_(::open(path.c_str(), flags, 0644)) {
-    if (fd_ < 0) fail("open", path_);
-  }
-  ~Descriptor() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  void write_all(std::string_view text) const {
-    while (!text.empty()) {
-      const ssize_t written = ::write(fd_, text.data(), text.size());
-      if (written < 0 && errno == EINTR) continue;
-      if (written < 0) fail("write", path_);
-      text.remove_prefix(static_cast<std::size_t>(written));
-    }
-  }
-
-  void sync() const {
-    if (::fsync(fd_) != 0) fail("sync", path_);
-  }
-
- private:
-  std::filesystem::path path_;
-  int fd_;
-};
-
-void write_and_sync(const std::filesystem::path& path, std::string_view text) {
-  const Descriptor file(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC);
-  file.write_all(text);
-  file.sync();
+/// By a second name, so that there is never a moment without the file itself.
+void keep_last(const fs::path& path, Disk& disk) {
+  const fs::path second = with_ending(path, ".last.tmp");
+  disk.remove(second);
+  if (disk.link(path, second)) disk.rename(second, last_good(path));
 }
 
 }  // namespace
 
-void write_atomically(const std::filesystem::path& path, std::string_view text) {
-  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  std::filesystem::create_directories(folder);
-  const std::filesystem::path temporary = path.string() + ".tmp";
+fs::path last_good(const fs::path& path) { return with_ending(path, ".last"); }
+
+void write_atomically(const fs::path& path, std::string_view text, Disk& disk) {
+  create_folders(folder_of(path), disk);
+  const fs::path temporary = with_ending(path, ".tmp");
+  disk.remove(temporary);  // not written over: after a crash it may be a second name of the file itself
   try {
-    write_and_sync(temporary, text);
+    disk.create(temporary, text);
+    disk.sync(temporary);
+    keep_last(path, disk);
+    disk.rename(temporary, path);
   } catch (...) {
-    ::unlink(temporary.c_str());
+    disk.remove(temporary);
     throw;
   }
-  if (::rename(temporary.c_str(), path.c_str()) != 0) {
-    const int reason = errno;
-    ::unlink(temporary.c_str());
-    errno = reason;
-    fail("replace", path);
-  }
-  Descriptor(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC).sync();  // makes the new name durable
+  disk.sync_folder(folder_of(path));
 }
 
 }  // namespace enfilade::topo_graph

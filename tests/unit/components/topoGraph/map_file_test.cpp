@@ -133,7 +133,7 @@ TEST(MapFile, SurvivesAnyChangedByte) {
       "\0{\"&*-\xff"
       "9",
       8);
-  for (std::size_t at = 0; at < good.size(); at += 3) {
+  for (std::size_t at = 0; at < good.size(); at += 7) {
     std::string bad = good;
     bad[at] = odd[at % odd.size()];
     error_of(bad);  // refused or read, never a crash or another exception
@@ -151,6 +151,31 @@ TEST_F(MapFileOnDisk, IsKeptForToolsAndForTheNode) {
   EXPECT_EQ(load_state(path), (TopoState{file.map, *file.session}));
   EXPECT_EQ(load_map(path), file.map);
   EXPECT_THROW(load_map(folder_ / "none.yaml"), MapFileError);
+}
+
+TEST_F(MapFileOnDisk, OffersTheLastGoodCopyOfADamagedFile) {
+  const fs::path path = folder_ / "map.yaml";
+  const MapFile file = rich_file();
+  save_map_file(path, file);
+  const auto told = [&path] {
+    try {
+      load_map_file(path);
+    } catch (const MapFileError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  std::ofstream(path) << replaced(to_yaml(file), "width_m: 3.2", "width_m: nan");
+  EXPECT_NE(told().find("finite"), std::string::npos);
+  EXPECT_EQ(told().find("last good"), std::string::npos);  // there is none yet
+  save_map_file(path, file);
+  save_map_file(path, file);
+  std::ofstream(path) << to_yaml(file).substr(0, 100);
+  EXPECT_EQ(told().rfind(path.string() + ":2: ", 0), 0u) << told();
+  EXPECT_NE(told().find("(the last good copy, with 2 rooms, is " + last_good(path).string()),
+            std::string::npos);
+  fs::rename(last_good(path), path);
+  EXPECT_EQ(load_map_file(path), file);
 }
 
 TEST_F(MapFileOnDisk, KeepsTheOldFileWhenAWriteFails) {

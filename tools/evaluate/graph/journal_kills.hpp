@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+namespace enfilade::evaluate {
+
+struct JournalKills {
+  int kills = 0;
+  int lost_rooms = 0;       ///< announced by a topoGraph, and not in the map file after its death
+  int announced_rooms = 0;  ///< over all lives, those that a life started with included
+  int rooms_at_death = 0;   ///< in the file, over all lives
+};
+
+/// Kills a topoGraph (SIGKILL) that fixes room after room, at random moments, and starts it again with the
+/// map it left. A map file that cannot be read is an exception. Only where no other thread runs: it forks.
+JournalKills kill_writers(int kills, std::uint64_t seed);
+
+}  // namespace enfilade::evaluate
