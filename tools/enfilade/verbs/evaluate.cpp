@@ -9,7 +9,7 @@ Verb add_evaluate(CLI::App& app) {
   CLI::App* group = app.add_subcommand(
       "evaluate", "Measure the parts of the system on random inputs of which the truth is known");
   group->require_subcommand(1);
-  const std::vector<Verb> experiments{add_evaluate_perception(*group)};
+  const std::vector<Verb> experiments{add_evaluate_perception(*group), add_evaluate_graph(*group)};
   return {group, [experiments] {
             for (const Verb& experiment : experiments)
               if (experiment.command->parsed()) return experiment.run();

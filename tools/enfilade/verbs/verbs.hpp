@@ -23,5 +23,6 @@ Verb add_room(CLI::App& app);
 /// `enfilade evaluate EXPERIMENT`: how good the parts are, on random inputs of which the truth is known.
 Verb add_evaluate(CLI::App& app);
 Verb add_evaluate_perception(CLI::App& group);
+Verb add_evaluate_graph(CLI::App& group);
 
 }  // namespace enfilade

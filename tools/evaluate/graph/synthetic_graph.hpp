@@ -9,7 +9,7 @@
 namespace enfilade::evaluate {
 
 enum class Building : std::uint8_t {
-  kGrid,      ///< rows of rooms, driven to and fro; further doors between neighbours are loops
+  kGrid,      ///< rows of rooms, driven up and down; further doors between neighbours are loops
   kRing,      ///< rooms along the edge of a block, closed by one loop door
   kCorridor,  ///< sections of a corridor with an office on either side; doors between offices are loops
 };

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <ctime>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "components/topoGraph/node/topo_graph_config.hpp"
+#include "interfaces/runtime/command_line.hpp"
+#include "tools/enfilade/report/report.hpp"
+#include "tools/enfilade/verbs/verbs.hpp"
+#include "tools/evaluate/graph/graph_evaluation.hpp"
+
+namespace enfilade {
+namespace {
+
+struct Arguments {
+  evaluate::GraphEvaluationConfig config;
+  std::string json, markdown;
+  bool without_ring = false;
+};
+
+std::string today() {
+  const std::time_t now = std::time(nullptr);
+  char text[16] = {};
+  std::strftime(text, sizeof text, "%Y-%m-%d", std::gmtime(&now));
+  return text;
+}
+
+int run(const Arguments& arguments) {
+  const std::string file = find_config_file("topoGraph", executable_path(), process_environment);
+  evaluate::GraphEvaluationConfig config = arguments.config;
+  config.graph = load_config<topo_graph::TopoGraphConfig>(file, {}).graph;
+  if (!arguments.without_ring)
+    config.ring_world = std::filesystem::path(file).parent_path() / "worlds" / "four_rooms_ring.yaml";
+  const evaluate::GraphReport result = evaluate::evaluate_graph(config);
+  if (!arguments.json.empty()) report::write_file(arguments.json, evaluate::to_json(result));
+  if (!arguments.markdown.empty())
+    report::write_file(arguments.markdown, evaluate::to_markdown(result, today()));
+  std::cout << evaluate::to_table(result);
+  return 0;
+}
+
+}  // namespace
+
+Verb add_evaluate_graph(CLI::App& group) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = group.add_subcommand(
+      "graph",
+      "Global minimisation and loop closing, on synthetic graphs, identical offices and a simulated ring");
+  command->add_option("--seeds", arguments->config.seeds, "How many seeds each figure is over")
+      ->check(CLI::Range(1, 100000));
+  command->add_option("--offices", arguments->config.offices, "Identical offices along the corridor")
+      ->check(CLI::Range(2, 1000));
+  command->add_option("--json", arguments->json, "Write the figures to this file");
+  command->add_option("--markdown", arguments->markdown, "Write a report to this file");
+  command->add_flag("--without-ring", arguments->without_ring, "Leave out the simulated four-room ring");
+  return {command, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace enfilade
