@@ -2,6 +2,7 @@
 #include "tools/enfilade/report/report.hpp"
 
 #include <cerrno>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -60,6 +61,13 @@ void write_files(const Report& report, const std::string& folder) {
       write_file(fmt::format("{}/room{}-scan{}.svg", folder, *room, i + 1), draw::draw_scan(figure));
     }
   }
+}
+
+std::string today() {
+  const std::time_t now = std::time(nullptr);
+  char text[16] = {};
+  std::strftime(text, sizeof text, "%Y-%m-%d", std::gmtime(&now));
+  return text;
 }
 
 }  // namespace enfilade::report

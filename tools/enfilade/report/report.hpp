@@ -32,4 +32,7 @@ void write_files(const Report& report, const std::string& folder);
 /// All of `text` or nothing: through a temporary file beside `path`.
 void write_file(const std::string& path, const std::string& text);
 
+/// The date in UTC, for the head of a report: 2026-01-31.
+std::string today();
+
 }  // namespace enfilade::report

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <ctime>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -13,20 +12,13 @@
 namespace enfilade {
 namespace {
 
-struct Arguments {
+struct GraphArguments {
   evaluate::GraphEvaluationConfig config;
   std::string json, markdown;
   bool without_ring = false;
 };
 
-std::string today() {
-  const std::time_t now = std::time(nullptr);
-  char text[16] = {};
-  std::strftime(text, sizeof text, "%Y-%m-%d", std::gmtime(&now));
-  return text;
-}
-
-int run(const Arguments& arguments) {
+int run(const GraphArguments& arguments) {
   const std::string file = find_config_file("topoGraph", executable_path(), process_environment);
   evaluate::GraphEvaluationConfig config = arguments.config;
   config.graph = load_config<topo_graph::TopoGraphConfig>(file, {}).graph;
@@ -35,7 +27,7 @@ int run(const Arguments& arguments) {
   const evaluate::GraphReport result = evaluate::evaluate_graph(config);
   if (!arguments.json.empty()) report::write_file(arguments.json, evaluate::to_json(result));
   if (!arguments.markdown.empty())
-    report::write_file(arguments.markdown, evaluate::to_markdown(result, today()));
+    report::write_file(arguments.markdown, evaluate::to_markdown(result, report::today()));
   std::cout << evaluate::to_table(result);
   return 0;
 }
@@ -43,7 +35,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 Verb add_evaluate_graph(CLI::App& group) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<GraphArguments>();
   CLI::App* command = group.add_subcommand(
       "graph",
       "Global minimisation and loop closing, on synthetic graphs, identical offices and a simulated ring");

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <ctime>
 #include <iostream>
 #include <memory>
 
@@ -10,23 +9,16 @@
 namespace enfilade {
 namespace {
 
-struct Arguments {
+struct PerceptionArguments {
   evaluate::PerceptionConfig config;
   std::string json, markdown;
 };
 
-std::string today() {
-  const std::time_t now = std::time(nullptr);
-  char text[16] = {};
-  std::strftime(text, sizeof text, "%Y-%m-%d", std::gmtime(&now));
-  return text;
-}
-
-int run(const Arguments& arguments) {
+int run(const PerceptionArguments& arguments) {
   const evaluate::PerceptionReport result = evaluate::evaluate_perception(arguments.config);
   if (!arguments.json.empty()) report::write_file(arguments.json, evaluate::to_json(result));
   if (!arguments.markdown.empty())
-    report::write_file(arguments.markdown, evaluate::to_markdown(result, today()));
+    report::write_file(arguments.markdown, evaluate::to_markdown(result, report::today()));
   std::cout << evaluate::to_table(result);
   return 0;
 }
@@ -34,7 +26,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 Verb add_evaluate_perception(CLI::App& group) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<PerceptionArguments>();
   CLI::App* command = group.add_subcommand(
       "perception", "Rooms and doors found in random furnished rooms by the paper's score and by ours");
   command->add_option("--rooms", arguments->config.rooms, "How many rooms")->check(CLI::Range(1, 100000));
