@@ -3,35 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "components/topoGraph/merge/map_alignment.hpp"
+
 namespace enfilade::topo_graph {
 namespace {
-
-/// How far the rectangles reach into each other: the least motion that would part them (separating axes).
-double depth_of_overlap(const Rectangle& a, const Rectangle& b) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Rectangle* r : {&a, &b}) {
-    for (int i = 0; i < 2; ++i) {
-      const Point2 axis = r->normal(i);
-      const auto reach = [&axis](const Rectangle& of) {
-        double low = 1e300, high = -1e300;
-        for (const Point2& p : of.corners())
-          low = std::min(low, axis.dot(p)), high = std::max(high, axis.dot(p));
-        return std::pair(low, high);
-      };
-      const auto [low_a, high_a] = reach(a);
-      const auto [low_b, high_b] = reach(b);
-      least = std::min({least, high_a - low_b, high_b - low_a});
-    }
-  }
-  return least;
-}
 
 class MapChecker {
  public:

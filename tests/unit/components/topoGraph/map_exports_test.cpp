@@ -7,6 +7,7 @@
 #include <octomap/octomap.h>
 
 #include "components/topoGraph/exports/exports.hpp"
+#include "components/topoGraph/merge/map_merge.hpp"
 #include "components/topoGraph/metric_map/map_formats.hpp"
 #include "components/topoGraph/routes/map_check.hpp"
 #include "components/topoGraph/routes/route.hpp"
@@ -180,6 +181,68 @@ TEST(Route, GoesRoundAClosedDoorOrNotAtAll) {
   EXPECT_GT(round->length_m, find_route(map, from, to)->length_m);
   EXPECT_FALSE(find_route(map, from, to, {2}));
   EXPECT_NEAR(find_route(map, from, {1, {1.0, 0.0}})->length_m, 1.0, 1e-12);
+}
+
+/// Rooms of different sizes in a row, told apart by them; from the room before `first` on, seen from a frame
+/// of their own that is turned by a quarter, with ids from 1.
+TopologicalMap row_of_different_rooms() {
+  TopologicalMap map = row_of_rooms(5);
+  for (Room& room : map.rooms) {
+    room.height_m = 4.0 + 0.5 * (room.id % 3);
+    room.name = "room " + std::to_string(room.id);
+  }
+  for (Door& door : map.doors) door.face.gap = {0, 1.0, 2.0}, door.other_face->gap = {2, 2.0, 3.0};
+  for (Door& door : map.doors) {
+    const double height_m = map.find_room(door.other_face->room)->height_m;
+    const double up_m = 0.5 * (height_m - map.find_room(door.face.room)->height_m);
+    door.other_face->gap = {2, height_m - 2.0 - up_m, height_m - 1.0 - up_m};
+  }
+  return map;
+}
+
+TopologicalMap renumbered(TopologicalMap map, RoomId less, const Pose2& T) {
+  for (Room& room : map.rooms) {
+    room.id -= less;
+    room.name = "room " + std::to_string(room.id);
+    room.T_map_room = T * room.T_map_room * Pose2{0.0, 0.0, -0.5 * kPi};
+    std::swap(room.width_m, room.height_m);
+  }
+  for (Door& door : map.doors) {
+    door.face.room -= less;
+    door.face.gap.wall = static_cast<std::uint8_t>((door.face.gap.wall + 1) % 4);
+    if (!door.other_face) continue;
+    door.other_face->room -= less;
+    door.other_face->gap.wall = static_cast<std::uint8_t>((door.other_face->gap.wall + 1) % 4);
+  }
+  return map;
+}
+
+TEST(MapMerge, PutsTwoPartsOfABuildingTogether) {
+  const TopologicalMap whole = row_of_different_rooms();
+  ASSERT_TRUE(check_map(whole).empty()) << check_map(whole).front();
+  const TopologicalMap a = part_of(whole, {1, 2, 3});
+  const TopologicalMap b = renumbered(part_of(whole, {2, 3, 4, 5}), 1, {3.0, -7.0, 0.8});
+  const MergedMaps merged = merge_maps(a, b);
+  EXPECT_EQ(merged.common, (std::vector<std::pair<RoomId, RoomId>>{{2, 1}, {3, 2}}));
+  ASSERT_EQ(merged.map.rooms.size(), 5u);
+  for (const Room& room : whole.rooms) {
+    const Room& found = *merged.map.find_room(room.id);
+    EXPECT_NEAR(iou(room.rectangle(), found.rectangle()), 1.0, 1e-9) << room.id;
+    EXPECT_EQ(found.name, room.name);
+  }
+  EXPECT_EQ(merged.map.doors.size(), 4u);
+  EXPECT_TRUE(check_map(merged.map).empty());
+  EXPECT_NEAR(
+      find_route(merged.map, middle_of(merged.map.rooms[0]), middle_of(merged.map.rooms[4]))->length_m,
+      find_route(whole, middle_of(whole.rooms[0]), middle_of(whole.rooms[4]))->length_m, 1e-9);
+}
+
+TEST(MapMerge, RefusesWhatFitsInNoWayOrInSeveral) {
+  EXPECT_THROW(merge_maps(two_rooms(), row_of_rooms(2)), std::invalid_argument);
+  const TopologicalMap middle = part_of(row_of_rooms(5), {2, 3, 4});
+  EXPECT_THROW(merge_maps(middle, part_of(middle, {2, 3})), std::invalid_argument);
+  const TopologicalMap square = row_of_rooms(1);
+  EXPECT_THROW(merge_maps(square, square), std::invalid_argument);
 }
 
 TEST(MapCheck, FindsNothingWrongWithASoundMap) {
