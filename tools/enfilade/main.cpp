@@ -11,7 +11,8 @@ int main(int argc, char** argv) {
   CLI::App app("Enfilade: robots that understand buildings", "enfilade");
   app.require_subcommand(1);
   const std::vector<enfilade::Verb> verbs{enfilade::add_run(app), enfilade::add_demo(app),
-                                          enfilade::add_room(app), enfilade::add_evaluate(app)};
+                                          enfilade::add_room(app), enfilade::add_map(app),
+                                          enfilade::add_evaluate(app)};
   try {
     app.parse(argc, argv);
     for (const enfilade::Verb& verb : verbs) {

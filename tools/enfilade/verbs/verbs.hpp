@@ -20,6 +20,8 @@ Verb add_run(CLI::App& app);
 Verb add_demo(CLI::App& app);
 /// `enfilade room FILE`: the room around a point of a recorded building.
 Verb add_room(CLI::App& app);
+/// `enfilade map VERB FILE`: a map file shown, checked, exported.
+Verb add_map(CLI::App& app);
 /// `enfilade evaluate EXPERIMENT`: how good the parts are, on random inputs of which the truth is known.
 Verb add_evaluate(CLI::App& app);
 Verb add_evaluate_perception(CLI::App& group);

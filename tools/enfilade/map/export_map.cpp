@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <png.h>
+
+#include "components/topoGraph/exports/exports.hpp"
+#include "components/topoGraph/metric_map/map_formats.hpp"
+#include "components/topoGraph/storage/map_file.hpp"
+#include "tools/enfilade/draw/figures.hpp"
+#include "tools/enfilade/map/map_commands.hpp"
+#include "tools/enfilade/report/report.hpp"
+
+namespace enfilade::map_tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array kFormats{"pgm", "png", "bt", "svg", "geojson", "graphml", "indoorgml"};
+
+std::string format_of(const ExportOptions& options) {
+  std::string format = options.format;
+  if (format.empty()) format = fs::path(options.out).extension().string();
+  if (!format.empty() && format.front() == '.') format.erase(0, 1);
+  if (std::find(kFormats.begin(), kFormats.end(), format) == kFormats.end())
+    throw std::runtime_error(
+        "\"" + format + "\" is no format; give --format pgm, png, bt, svg, geojson, graphml or indoorgml");
+  return format;
+}
+
+std::string to_png(const topo_graph::OccupancyGrid& grid) {
+  const std::vector<std::uint8_t> levels = topo_graph::grey_levels(grid);
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = static_cast<png_uint_32>(grid.columns);
+  image.height = static_cast<png_uint_32>(grid.rows);
+  image.format = PNG_FORMAT_GRAY;
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
+  std::string file(size, '\0');
+  if (!png_image_write_to_memory(&image, file.data(), &size, 0, levels.data(), 0, nullptr))
+    throw std::runtime_error(std::string("the picture cannot be written as PNG: ") + image.message);
+  file.resize(size);
+  return file;
+}
+
+void refuse_overwriting(const std::string& map_file, const std::string& out) {
+  if (fs::exists(out) && fs::equivalent(map_file, out))
+    throw std::runtime_error("writing " + out + " would destroy the map itself; give --out another name");
+}
+
+/// Picture and YAML side by side, whichever of the two `out` names.
+std::vector<std::string> write_map_server(const ExportOptions& options, const std::string& format,
+                                          const topo_graph::OccupancyGrid& grid) {
+  const bool named_yaml = fs::path(options.out).extension() == ".yaml";
+  const std::string image =
+      named_yaml ? fs::path(options.out).replace_extension(format).string() : options.out;
+  const std::string yaml = fs::path(image).replace_extension(".yaml").string();
+  refuse_overwriting(options.file, yaml);
+  report::write_file(image, format == "png" ? to_png(grid) : topo_graph::to_pgm(grid));
+  report::write_file(yaml, topo_graph::to_map_server_yaml(grid, fs::path(image).filename().string()));
+  return {image, yaml};
+}
+
+std::string text_of(const ExportOptions& options, const std::string& format, const TopologicalMap& map) {
+  const TopologicalMap part = topo_graph::part_of(map, options.rooms);
+  if (format == "svg") return draw::draw_floor_plan(part, fs::path(options.file).filename().string());
+  if (format == "geojson") return topo_graph::to_geojson(part);
+  return format == "graphml" ? topo_graph::to_graphml(part) : topo_graph::to_indoorgml(part);
+}
+
+}  // namespace
+
+std::vector<std::string> export_map(const ExportOptions& options) {
+  const std::string format = format_of(options);
+  const TopologicalMap map = topo_graph::load_map(options.file);
+  refuse_overwriting(options.file, options.out);
+  try {
+    if (format != "pgm" && format != "png" && format != "bt") {
+      report::write_file(options.out, text_of(options, format, map));
+      return {options.out};
+    }
+    const auto grid =
+        topo_graph::draw_metric_map(map, {.resolution_m = options.resolution_m, .rooms = options.rooms});
+    if (format != "bt") return write_map_server(options, format, grid);
+    report::write_file(options.out, topo_graph::to_octomap(grid));
+    return {options.out};
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(options.file + ": " + error.what());
+  }
+}
+
+}  // namespace enfilade::map_tool
