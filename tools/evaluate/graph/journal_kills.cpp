@@ -26,6 +26,7 @@ namespace fs = std::filesystem;
 using topo_graph::TopoGraphConfig;
 using topo_graph::TopoGraphNode;
 
+constexpr RoomId kReady = 0;  ///< told in place of a room: the map has been read
 constexpr int kRoomsOfABuilding = 30;
 constexpr double kSideM = 4.0, kPitchM = 4.15;
 
@@ -61,6 +62,8 @@ class DoomedWriter {
     Bus& explorer = system_.bus_as("explorer");
     const auto fix = explorer.advertise(topics::kFixRoom.request);
     const auto enter = explorer.advertise(topics::kEnterZone.request);
+    system_.initialize();
+    tell(kReady);
     for (std::uint64_t number = 1;; ++number) {
       system_.run_until({}, system_.clock().now_ns() + from_seconds(0.2));
       const CallId call{"explorer " + std::to_string(::getpid()), number};
@@ -79,8 +82,12 @@ class DoomedWriter {
   void hear(const TopologicalMap& map) {
     map_ = map;
     for (const Room& room : map.rooms)
-      if (told_.insert(room.id).second && ::write(announced_, &room.id, sizeof room.id) < 0)
-        throw std::system_error(errno, std::generic_category(), "cannot tell that a room was announced");
+      if (told_.insert(room.id).second) tell(room.id);
+  }
+
+  void tell(RoomId id) const {
+    if (::write(announced_, &id, sizeof id) < 0)
+      throw std::system_error(errno, std::generic_category(), "cannot tell that a room was announced");
   }
 
   std::optional<DoorId> way_on(RoomId room) const {
@@ -119,20 +126,32 @@ struct Pipe {
   ::_exit(3);
 }
 
-/// One life of a writer; the rooms it has announced.
-std::set<RoomId> live_and_die(const fs::path& map_file, std::chrono::microseconds life) {
+struct Life {
+  std::chrono::microseconds length;
+  bool from_ready;  ///< counted from when it has read its map; else from its birth
+};
+
+/// The rooms that a writer has announced in its life.
+std::set<RoomId> live_and_die(const fs::path& map_file, const Life& life) {
   Pipe pipe;
   const pid_t pid = ::fork();
   if (pid < 0) throw std::system_error(errno, std::generic_category(), "cannot start a writer");
   if (pid == 0) be_the_writer(map_file, pipe.ends[1]);
   pipe.close(1);
-  std::this_thread::sleep_for(life);
+  std::set<RoomId> announced;
+  const auto hear_one = [&](RoomId& id) {
+    if (::read(pipe.ends[0], &id, sizeof id) != sizeof id) return false;
+    if (id != kReady) announced.insert(id);
+    return true;
+  };
+  RoomId id = kReady + 1;
+  while (life.from_ready && id != kReady && hear_one(id)) continue;
+  std::this_thread::sleep_for(life.length);
   ::kill(pid, SIGKILL);
   int status = 0;
   ::waitpid(pid, &status, 0);
   if (!WIFSIGNALED(status)) throw std::runtime_error("the writer ended before it was killed");
-  std::set<RoomId> announced;
-  for (RoomId id = 0; ::read(pipe.ends[0], &id, sizeof id) == sizeof id;) announced.insert(id);
+  while (hear_one(id)) continue;
   return announced;
 }
 
@@ -156,13 +175,14 @@ class ScratchFolder {
 JournalKills kill_writers(int kills, std::uint64_t seed) {
   const ScratchFolder folder;
   std::mt19937_64 random(seed);
-  std::uniform_int_distribution<int> life_us(2000, 60000);
+  std::uniform_int_distribution<int> life_us(0, 60000);
   JournalKills result;
   fs::path map_file;
   std::size_t rooms = kRoomsOfABuilding;
   for (; result.kills < kills; ++result.kills) {
     if (rooms >= kRoomsOfABuilding) map_file = folder.path / std::to_string(result.kills) / "map.yaml";
-    const std::set<RoomId> announced = live_and_die(map_file, std::chrono::microseconds(life_us(random)));
+    const std::set<RoomId> announced =
+        live_and_die(map_file, {std::chrono::microseconds(life_us(random)), result.kills % 4 != 0});
     const TopologicalMap map = fs::exists(map_file) ? topo_graph::load_state(map_file).map : TopologicalMap{};
     for (const RoomId id : announced) result.lost_rooms += map.find_room(id) == nullptr;
     result.announced_rooms += static_cast<int>(announced.size());
