@@ -68,7 +68,7 @@ class Replay(unittest.TestCase):
         for key, true in (("x_m", CENTRE[0]), ("y_m", CENTRE[1]), ("width_m", ROOM[0]), ("height_m", ROOM[1])):
             self.assertAlmostEqual(room[key], true, delta=0.05, msg=key)
         self.assertAlmostEqual(room["yaw_rad"], YAW, delta=math.radians(0.5))
-        doors = [gap for gap in report["gaps"] if gap["state"] != "unseen"]
+        doors = [gap for gap in report["gaps"] if gap["state"] == "door"]
         self.assertEqual(len(doors), 1, report["gaps"])
         self.assertAlmostEqual(doors[0]["width_m"], DOOR[1] - DOOR[0], delta=0.1)
 

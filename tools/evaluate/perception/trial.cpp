@@ -114,11 +114,11 @@ TrialResult run_trial(const TrialConfig& config) {
   for (const Stand& stand : stands) {
     for (const auto& line : scanner.sweep(stand.T_world_base)) {
       const ZoneRecorder::Line recorded = recorder.insert(line, origin_base, stand.T_zone_base);
-      paper.take_cells(recorded);
+      if (config.with_paper) paper.take_cells(recorded);
       evidence.take(recorded);
     }
     if (!stand.in_room) continue;
-    paper.look(stand.T_zone_base, truth);
+    if (config.with_paper) paper.look(stand.T_zone_base, truth);
     evidence.look(stand.T_zone_base, truth);
   }
   return {paper.finish(truth, doors), evidence.finish(truth, doors)};

@@ -15,6 +15,7 @@ struct TrialConfig {
   std::uint64_t seed = 1;
   Hardship hardship = Hardship::kNone;
   int sweeps = 4;               ///< in place, a quarter turn apart
+  bool with_paper = true;       ///< whether the paper's score is asked too
   int neighbour_sweeps = 0;     ///< taken next door before, into the same grid
   double line_step_deg = 1.0;   ///< of roll between two scan lines
   double turn_sigma_deg = 0.0;  ///< what odometry errs by in each turn …
