@@ -61,4 +61,21 @@ const DoorEstimate* find_gap(const RoomEstimate& estimate, const PlacedDoor& doo
   return nearest;
 }
 
+bool shows_new_door(const RoomEstimate& estimate, const TopologicalMap& map, const Room& room,
+                    const Pose2& T_zone_room, const DoorGeometryConfig& config) {
+  if (!estimate.found || !match(room, T_zone_room, estimate.rectangle, config)) return false;
+  RoomEstimate unknown = estimate;
+  std::erase_if(unknown.doors, [&](const DoorEstimate& door) {
+    return door.state != DoorState::kOpen || door.gap.width_m() < config.new_door_m;
+  });
+  for (const Door& door : map.doors) {
+    const DoorFace* face = TopologicalMap::find_face(door, room.id);
+    if (!face) continue;
+    const PlacedDoor placed = place_door(room, *face, T_zone_room);
+    while (const DoorEstimate* gap = find_gap(unknown, placed, config))
+      unknown.doors.erase(unknown.doors.begin() + (gap - unknown.doors.data()));
+  }
+  return !unknown.doors.empty();
+}
+
 }  // namespace enfilade::explorer

@@ -12,6 +12,7 @@ struct DoorGeometryConfig {
   double max_shift_m = 0.6;             ///< nor one whose centre is farther from where the room should be
   double max_turn_deg = 15.0;
   double same_door_m = 0.5;  ///< a gap whose middle is this near is the door
+  double new_door_m = 0.6;   ///< a gap this wide where the graph has no door is worth telling
 };
 
 /// A door in the zone's frame: its middle in the plane of the wall's inner face and the direction out of the
@@ -37,5 +38,9 @@ PlacedDoor place_door(const Room& room, const DoorFace& face, const Pose2& T_zon
 /// The gap of the estimate that is this door.
 const DoorEstimate* find_gap(const RoomEstimate& estimate, const PlacedDoor& door,
                              const DoorGeometryConfig& config);
+
+/// Whether the estimate is of this room and shows an open door where the graph has none.
+bool shows_new_door(const RoomEstimate& estimate, const TopologicalMap& map, const Room& room,
+                    const Pose2& T_zone_room, const DoorGeometryConfig& config);
 
 }  // namespace enfilade::explorer

@@ -103,6 +103,7 @@ class ExplorationMachine {
   void sweep(const Observation& seen, Decision& decision);
   void await_estimate(const Observation& seen, Decision& decision);
   void after_sweep(const Observation& seen, Decision& decision);
+  bool tell_of_new_door(const Observation& seen, Decision& decision);
   void note_what_was_seen(const Observation& seen);
   void assess(const Observation& seen, Decision& decision);
   void assess_without_room(const Observation& seen, Decision& decision);

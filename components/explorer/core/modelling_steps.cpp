@@ -50,6 +50,7 @@ void ExplorationMachine::after_sweep(const Observation& seen, Decision& decision
   const bool found = is_current(seen.estimate, *tag_) && seen.estimate->found;
   decision.events.push_back("sweep " + std::to_string(state_.sweeps_in_zone) +
                             " done: " + (found ? summary(*seen.estimate) : "no rectangle fits yet"));
+  if (purpose_ == Purpose::kLocalise && found && tell_of_new_door(seen, decision)) return;
   switch (purpose_) {
     case Purpose::kLocalise:
       return go_to(Step::kChooseDoor, ExplorationPhase::kApproaching, "choosing a door", seen);
@@ -65,6 +66,18 @@ void ExplorationMachine::after_sweep(const Observation& seen, Decision& decision
     note_what_was_seen(seen);
   }
   go_to(Step::kAssess, state_.phase, "weighing what was seen", seen);
+}
+
+/// Who comes back to a room may see a door that was missed when the room was fixed.
+bool ExplorationMachine::tell_of_new_door(const Observation& seen, Decision& decision) {
+  const Room* room = current_room(seen);
+  if (!room) return false;
+  const Pose2 T_zone_room = locate_room(*room, seen.zone->T_map_zone, seen.estimate, geometry_);
+  if (!shows_new_door(*seen.estimate, *seen.map, *room, T_zone_room, geometry_)) return false;
+  decision.events.push_back("room " + std::to_string(room->id) + " has a door that was not known");
+  decision.fix_room = FixRoomRequest{.call = {}, .estimate = *seen.estimate};
+  go_to(Step::kFix, ExplorationPhase::kFixing, "putting a door into the graph", seen);
+  return true;
 }
 
 /// What should have been visible and is still unexplored is counted as looked at in vain.

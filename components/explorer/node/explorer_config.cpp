@@ -118,6 +118,7 @@ void bind(ConfigBinder& c, DoorGeometryConfig& g) {
   c.number("max_shift_m", g.max_shift_m, 0.01, 5.0);
   c.number("max_turn_deg", g.max_turn_deg, 0.1, 45.0);
   c.number("same_door_m", g.same_door_m, 0.05, 3.0);
+  c.number("new_door_m", g.new_door_m, 0.1, 10.0);
 }
 
 void bind(ConfigBinder& c, DoorCorridorConfig& d) {

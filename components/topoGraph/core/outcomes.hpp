@@ -14,6 +14,7 @@ namespace enfilade::topo_graph {
 struct FixRoomOutcome {
   FixRoomReply reply;
   bool fixed = false;                     ///< whether this call changed the graph
+  bool revisited = false;                 ///< the room stood already, and got doors that were missed
   bool covered = false;                   ///< the room was there already, modelled in another zone
   std::optional<CommonDoor> common_door;  ///< how eq. 20 was met
   std::optional<PoseCorrection> correction;

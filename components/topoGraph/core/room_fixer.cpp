@@ -2,6 +2,7 @@
 #include "components/topoGraph/core/room_fixer.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -28,6 +29,14 @@ const DoorFace* find_entrance(const TopoState& state) {
   return door && zone.from_room ? TopologicalMap::find_face(*door, *zone.from_room) : nullptr;
 }
 
+/// Close enough for gaps of the one to be gaps of the other.
+bool is_same_room(const Room& a, const Room& b) {
+  constexpr double kSizeM = 0.25, kPlaceM = 0.40;
+  return std::abs(a.width_m - b.width_m) <= kSizeM && std::abs(a.height_m - b.height_m) <= kSizeM &&
+         (a.T_map_room.translation() - b.T_map_room.translation()).norm() <= kPlaceM &&
+         std::abs(wrap_to_pi(a.T_map_room.yaw_rad - b.T_map_room.yaw_rad)) <= radians(10.0);
+}
+
 }  // namespace
 
 RoomFixer::RoomFixer(const RoomFixerConfig& config, const PoseTrackerConfig& tracker)
@@ -38,7 +47,8 @@ RoomFixer::RoomFixer(const RoomFixerConfig& config, const PoseTrackerConfig& tra
 
 FixRoomOutcome RoomFixer::fix(TopoState& state, const RoomEstimate& estimate) const {
   const std::uint32_t current = state.session.zone.zone_id;
-  if (const Room* room = find_room_of_zone(state, estimate.tag.zone_id)) return answered(room->id);
+  if (const Room* room = find_room_of_zone(state, estimate.tag.zone_id))
+    return add_seen_doors(state, *room, estimate);
   if (estimate.tag.zone_id != current) {
     return refused("the estimate is of zone " + std::to_string(estimate.tag.zone_id) +
                    ", the current one is " + std::to_string(current));
@@ -48,6 +58,21 @@ FixRoomOutcome RoomFixer::fix(TopoState& state, const RoomEstimate& estimate) co
     return refused("the estimate holds no room");
   }
   return insert(state, estimate);
+}
+
+/// The room itself stays as it is.
+FixRoomOutcome RoomFixer::add_seen_doors(TopoState& state, const Room& room,
+                                         const RoomEstimate& estimate) const {
+  FixRoomOutcome outcome = answered(room.id);
+  const CurrentZone& zone = state.session.zone;
+  if (!zone.located || estimate.tag.zone_id != zone.zone_id || !estimate.found) return outcome;
+  const RoomModel model = room_model(estimate, zone.T_map_zone);
+  if (!is_same_room(model.room, room)) return outcome;
+  outcome.covered = true;
+  add_doors(state, model, outcome);
+  outcome.covered = false;
+  outcome.revisited = outcome.fixed = !outcome.new_doors.empty() || !outcome.joined_doors.empty();
+  return outcome;
 }
 
 FixRoomOutcome RoomFixer::insert(TopoState& state, const RoomEstimate& estimate) const {

@@ -24,11 +24,12 @@ class RoomFixer {
   /// Throws std::invalid_argument where the configuration makes no sense.
   RoomFixer(const RoomFixerConfig& config, const PoseTrackerConfig& tracker);
 
-  /// `reply.call` is left to the caller. A zone whose room is in the graph gets that room and changes
-  /// nothing.
+  /// `reply.call` is left to the caller. A zone whose room is in the graph gets that room, and the room the
+  /// open doors of the estimate that it does not have yet: who comes back sees what was missed.
   FixRoomOutcome fix(TopoState& state, const RoomEstimate& estimate) const;
 
  private:
+  FixRoomOutcome add_seen_doors(TopoState& state, const Room& room, const RoomEstimate& estimate) const;
   FixRoomOutcome insert(TopoState& state, const RoomEstimate& estimate) const;
   Prediction predict(const TopoState& state, const RoomModel& model, const FixRoomOutcome& outcome) const;
   RoomLink link_to(const TopoState& state, const RoomModel& model, const FixRoomOutcome& outcome) const;

@@ -44,7 +44,9 @@ std::string tell_common_door(const FixRoomOutcome& outcome) {
 std::string tell(const FixRoomOutcome& outcome, const TopologicalMap& map) {
   const RoomId id = outcome.reply.room;
   const Room* room = map.find_room(id);
-  std::string text = name("room", id) + (outcome.covered ? " found again: " : " fixed: ");
+  std::string text = name("room", id) + (outcome.revisited ? " seen again: "
+                                         : outcome.covered ? " found again: "
+                                                           : " fixed: ");
   if (room) text += print("%.2f × %.2f m", room->width_m, room->height_m);
   if (outcome.common_door) text += tell_common_door(outcome);
   if (!outcome.joined_doors.empty()) text += "; passage through " + doors(outcome.joined_doors);

@@ -64,5 +64,22 @@ TEST(DoorGeometry, FindsTheGapThatIsTheDoor) {
   EXPECT_EQ(find_gap(estimate, door, {}), nullptr);
 }
 
+TEST(DoorGeometry, TellsOfAnOpenGapWhereTheGraphHasNoDoor) {
+  const Pose2 T_zone_room = kMapZone.inverse() * kRoom.T_map_room;
+  const TopologicalMap map{.rooms = {kRoom}, .doors = {{.id = 1, .face = kFace}}};
+  RoomEstimate estimate{.found = true};
+  estimate.rectangle = {T_zone_room.yaw_rad, T_zone_room.x_m, T_zone_room.y_m, kRoom.width_m, kRoom.height_m};
+  estimate.doors.push_back({.gap = kFace.gap, .state = DoorState::kOpen});
+  EXPECT_FALSE(shows_new_door(estimate, map, kRoom, T_zone_room, {}));
+  const int other_wall = (kFace.gap.wall + 1) % 4;
+  estimate.doors.push_back(
+      {.gap = {.wall = other_wall, .from_m = 1.0, .to_m = 1.9}, .state = DoorState::kPossible});
+  EXPECT_FALSE(shows_new_door(estimate, map, kRoom, T_zone_room, {}));
+  estimate.doors.back().state = DoorState::kOpen;
+  EXPECT_TRUE(shows_new_door(estimate, map, kRoom, T_zone_room, {}));
+  estimate.rectangle.width_m += 1.0;  // another room
+  EXPECT_FALSE(shows_new_door(estimate, map, kRoom, T_zone_room, {}));
+}
+
 }  // namespace
 }  // namespace enfilade::explorer

@@ -126,10 +126,26 @@ TEST(TopoGraph, AnswersTheSameRoomWhenAZoneIsFixedAgain) {
   EXPECT_EQ(old_zone.reply.room, 1u);
   fix_room2(graph, {});
   const TopologicalMap before = graph.state().map;
-  const auto again = graph.fix_room({call(11), estimate_of(room2(), 2, {open_door(0, 1, 2)})}, 1);
+  const auto again = graph.fix_room({call(11), estimate_of(room2(), 2, {})}, 1);
   EXPECT_TRUE(again.reply.accepted);
   EXPECT_EQ(again.reply.room, 2u);
   EXPECT_EQ(graph.state().map, before);
+}
+
+TEST(TopoGraph, ARoomSeenAgainGetsTheDoorThatWasMissedAndKeepsTheRest) {
+  TopoGraph graph = graph_in_zone2();
+  fix_room2(graph, {});
+  const TopologicalMap before = graph.state().map;
+  const auto again = graph.fix_room({call(11), estimate_of(room2(), 2, {open_door(0, 1, 2)})}, 1);
+  EXPECT_EQ(again.reply.room, 2u);
+  EXPECT_TRUE(again.revisited);
+  ASSERT_EQ(again.new_doors.size(), 1u);
+  EXPECT_EQ(graph.state().map.doors.size(), before.doors.size() + 1);
+  EXPECT_EQ(graph.state().map.rooms, before.rooms);
+  const auto third = graph.fix_room({call(12), estimate_of(room2(), 2, {open_door(0, 1, 2)})}, 1);
+  EXPECT_TRUE(third.new_doors.empty());
+  const auto other = graph.fix_room({call(13), estimate_of(room1(), 2, {open_door(0, 1, 2)})}, 1);
+  EXPECT_TRUE(other.new_doors.empty());  // not this room
 }
 
 TEST(TopoGraph, RefusesWhatCannotBe) {
