@@ -10,8 +10,8 @@ int main(int argc, char** argv) {
   std::setlocale(LC_NUMERIC, "C");
   CLI::App app("Enfilade: robots that understand buildings", "enfilade");
   app.require_subcommand(1);
-  const std::vector<enfilade::Verb> verbs{enfilade::add_run(app), enfilade::add_demo(app),
-                                          enfilade::add_room(app), enfilade::add_map(app),
+  const std::vector<enfilade::Verb> verbs{enfilade::add_run(app),      enfilade::add_demo(app),
+                                          enfilade::add_room(app),     enfilade::add_map(app),
                                           enfilade::add_evaluate(app), enfilade::add_calibrate(app)};
   try {
     app.parse(argc, argv);
