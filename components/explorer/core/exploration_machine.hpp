@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -108,7 +109,8 @@ class ExplorationMachine {
   void assess(const Observation& seen, Decision& decision);
   void assess_without_room(const Observation& seen, Decision& decision);
   std::optional<View> next_view(const Observation& seen) const;
-  std::optional<View> view_into_wide_gap(const Observation& seen) const;
+  std::optional<View> view_into_gap(const Observation& seen,
+                                    const std::function<bool(const DoorEstimate&)>& is_wanted) const;
   bool has_looked_from(const Pose2& pose) const;
   void begin_look(const View& view, const Observation& seen, Decision& decision);
   void begin_fix(const Observation& seen, Decision& decision);

@@ -94,13 +94,22 @@ void ExplorationMachine::assess(const Observation& seen, Decision& decision) {
     decision.events.push_back("enough sweeps: taking the room as it is known");
     return begin_fix(seen, decision);
   }
-  if (const auto view = view_into_wide_gap(seen)) return begin_look(*view, seen, decision);
+  const auto is_wide = [&](const DoorEstimate& door) {
+    const double wall_m = seen.estimate->rectangle.wall_length_m(door.gap.wall);
+    return door.gap.width_m() > config_.widest_door_m ||
+           (wall_m > 1.0 && door.gap.width_m() > config_.whole_wall_share * wall_m);
+  };
+  if (const auto view = view_into_gap(seen, is_wide)) return begin_look(*view, seen, decision);
   if (verified_) return begin_fix(seen, decision);
   if (const auto view = next_view(seen)) return begin_look(*view, seen, decision);
   if (sweeps == 1) {  // the cone behind the robot
     const Pose2& pose = *seen.T_zone_base;
     return begin_look({.pose = {pose.x_m, pose.y_m, wrap_to_pi(pose.yaw_rad + kPi)}}, seen, decision);
   }
+  const auto is_doubtful = [&](const DoorEstimate& door) {
+    return door.state == DoorState::kPossible && door.gap.width_m() >= geometry_.new_door_m;
+  };
+  if (const auto view = view_into_gap(seen, is_doubtful)) return begin_look(*view, seen, decision);
   // Nothing is left that could be seen: the finer sweep tells whether the model holds.
   begin_sweep(Purpose::kVerify, seen);
 }
@@ -117,17 +126,15 @@ std::optional<View> ExplorationMachine::next_view(const Observation& seen) const
   return views_.best(*seen.grid, reach, area, worth, *seen.T_zone_base, wish);
 }
 
-/// Where a wall is mostly gap the space may well go on: a corridor, of which the end is not seen yet. That
-/// shows from nearby.
-std::optional<View> ExplorationMachine::view_into_wide_gap(const Observation& seen) const {
+/// What a gap is shows from nearby: a wall that is mostly gap may be a corridor going on, of which the end is
+/// not seen yet; one that may be a door and is seen at a slant is decided from in front of it.
+std::optional<View> ExplorationMachine::view_into_gap(
+    const Observation& seen, const std::function<bool(const DoorEstimate&)>& is_wanted) const {
   const RoomEstimate& estimate = *seen.estimate;
   const FloorMap map = drive_.floor_map(seen, trodden_);
   const Reach reach(map, drive_.config().planner, seen.T_zone_base->translation());
   for (const DoorEstimate& door : estimate.doors) {
-    const double wall_m = estimate.rectangle.wall_length_m(door.gap.wall);
-    const bool wide = door.gap.width_m() > config_.widest_door_m ||
-                      (wall_m > 1.0 && door.gap.width_m() > config_.whole_wall_share * wall_m);
-    if (!wide) continue;
+    if (!is_wanted(door)) continue;
     const PlacedDoor gap{.middle = segment_of(estimate.rectangle, door.gap).midpoint(),
                          .outward = estimate.rectangle.normal(door.gap.wall),
                          .width_m = door.gap.width_m()};

@@ -211,6 +211,19 @@ TEST(ExplorationMachine, LooksIntoAGapThatIsWiderThanADoorBeforeItFixesTheRoom) 
   EXPECT_TRUE(nearest);
 }
 
+TEST(ExplorationMachine, LooksFromInFrontIntoAGapThatMayBeADoorBeforeItFixesTheRoom) {
+  World world;
+  world.estimate.doors[0].state = DoorState::kPossible;
+  bool looked = false;
+  for (int i = 0; i < 6000 && world.machine.state().phase != ExplorationPhase::kFixing; ++i) {
+    world.tick();
+    looked = looked || (world.motor.phase == SweepPhase::kSweeping && std::abs(world.pose.yaw_rad) < 0.1 &&
+                        world.pose.x_m > 3.0 && std::abs(world.pose.y_m - 2.0) < 0.3);
+  }
+  EXPECT_EQ(world.machine.state().phase, ExplorationPhase::kFixing);
+  EXPECT_TRUE(looked);
+}
+
 TEST(ExplorationMachine, SaysSoWhereNoRectangleFits) {
   World world;
   world.estimate.found = false;
