@@ -87,7 +87,7 @@ TEST(DoorFinder, FindsTheSameDoorAtAnotherResolution) {
   EXPECT_NEAR(gaps.doors[0].gap.width_m(), 0.9, 0.11);
 }
 
-constexpr Rectangle kRoom{0.0, 0.0, 0.0, 4.05, 3.05};  // through the middle of the wall cells
+constexpr Rectangle kDoorRoom{0.0, 0.0, 0.0, 4.05, 3.05};  // through the middle of the wall cells
 
 /// The room with an opening between `from` and `to` along wall 0, free from the floor to `top_m`.
 ColumnMap room_with_gap(double from_m, double to_m, double top_m = 2.0) {
@@ -110,14 +110,14 @@ std::vector<Sighting> seen_behind(double depth_m) {
 }
 
 TEST(DoorFinder, FindsADoubleDoorWhole) {
-  const auto gaps = DoorFinder({}).find(room_with_gap(0.5, 2.3), kRoom);
+  const auto gaps = DoorFinder({}).find(room_with_gap(0.5, 2.3), kDoorRoom);
   ASSERT_EQ(gaps.doors.size(), 1u);
   EXPECT_EQ(gaps.doors[0].state, DoorState::kOpen);
   EXPECT_NEAR(gaps.doors[0].gap.width_m(), 1.8, 0.06);
 }
 
 TEST(DoorFinder, FindsADoorInACorner) {
-  const auto gaps = DoorFinder({}).find(room_with_gap(0.1, 0.95), kRoom);
+  const auto gaps = DoorFinder({}).find(room_with_gap(0.1, 0.95), kDoorRoom);
   ASSERT_EQ(gaps.doors.size(), 1u);
   EXPECT_EQ(gaps.doors[0].state, DoorState::kOpen);
   EXPECT_NEAR(gaps.doors[0].gap.from_m, 0.1, 0.06);
@@ -125,7 +125,7 @@ TEST(DoorFinder, FindsADoorInACorner) {
 }
 
 TEST(DoorFinder, FindsADoorWithAWallHalfAMetreBehindIt) {
-  const auto gaps = DoorFinder({}).find(room_with_gap(1.0, 1.9), kRoom, {}, seen_behind(0.5));
+  const auto gaps = DoorFinder({}).find(room_with_gap(1.0, 1.9), kDoorRoom, {}, seen_behind(0.5));
   ASSERT_EQ(gaps.doors.size(), 1u);
   EXPECT_EQ(gaps.doors[0].state, DoorState::kOpen);
   EXPECT_NEAR(gaps.doors[0].gap.width_m(), 0.9, 0.06);
@@ -133,13 +133,13 @@ TEST(DoorFinder, FindsADoorWithAWallHalfAMetreBehindIt) {
 
 TEST(DoorFinder, OnlyDeemsAnOpeningPossibleThroughWhichNothingWasSeen) {
   const std::vector<Sighting> the_wall_itself{{Point2::Zero(), {2.025, 1.0}}};
-  const auto gaps = DoorFinder({}).find(room_with_gap(1.0, 1.9), kRoom, {}, the_wall_itself);
+  const auto gaps = DoorFinder({}).find(room_with_gap(1.0, 1.9), kDoorRoom, {}, the_wall_itself);
   ASSERT_EQ(gaps.doors.size(), 1u);
   EXPECT_EQ(gaps.doors[0].state, DoorState::kPossible) << "it may be glass";
 }
 
 TEST(DoorFinder, SaysHowWellADoorIsKnown) {
-  const auto gaps = DoorFinder({}).find(room_with_gap(1.0, 1.9), kRoom);
+  const auto gaps = DoorFinder({}).find(room_with_gap(1.0, 1.9), kDoorRoom);
   ASSERT_EQ(gaps.doors.size(), 1u);
   EXPECT_NEAR(gaps.doors[0].width_sigma_m, 2.0 * gaps.doors[0].position_sigma_m, 1e-12);
   EXPECT_GT(gaps.doors[0].width_sigma_m, 0.01) << "no returns: known to cells";

@@ -8,7 +8,7 @@
 namespace enfilade::room_detector {
 namespace {
 
-constexpr Rectangle kRoom{0.3, 0.4, -0.2, 4.2, 3.4};
+constexpr Rectangle kJointRoom{0.3, 0.4, -0.2, 4.2, 3.4};
 
 /// What a laser `bias_m` too long sees of the walls from `T_true`, told as if from `T_believed`.
 StandPoints seen_from(const Pose2& T_true, const Pose2& T_believed, double bias_m, unsigned seed) {
@@ -16,7 +16,7 @@ StandPoints seen_from(const Pose2& T_true, const Pose2& T_believed, double bias_
   std::normal_distribution<double> noise(0.0, 0.01);
   StandPoints stand{T_believed, {}};
   for (int wall = 0; wall < 4; ++wall) {
-    const Segment line = kRoom.wall(wall);
+    const Segment line = kJointRoom.wall(wall);
     for (double s = 0.01; s < line.length(); s += 0.02) {
       const Point2 way = line.from + s * line.direction() - T_true.translation();
       const Point2 ray = way.normalized();
@@ -36,9 +36,9 @@ TEST(JointFit, FindsTheRoomAndWhatOdometryErredBy) {
   const Rectangle start{0.31, 0.42, -0.21, 4.23, 3.38};
   const auto fit = JointFitter({}, {}).fit(stands, start, 0.075);
   ASSERT_TRUE(fit);
-  EXPECT_NEAR(fit->room.rectangle.width_m, kRoom.width_m, 0.003);
-  EXPECT_NEAR(fit->room.rectangle.height_m, kRoom.height_m, 0.003);
-  EXPECT_NEAR(fit->room.rectangle.yaw_rad, kRoom.yaw_rad, 0.001);
+  EXPECT_NEAR(fit->room.rectangle.width_m, kJointRoom.width_m, 0.003);
+  EXPECT_NEAR(fit->room.rectangle.height_m, kJointRoom.height_m, 0.003);
+  EXPECT_NEAR(fit->room.rectangle.yaw_rad, kJointRoom.yaw_rad, 0.001);
   ASSERT_EQ(fit->corrections.size(), 2u);
   EXPECT_EQ(fit->corrections[0], Pose2{});
   const Pose2 left_over = fit->corrections[1] * T_error;
@@ -49,7 +49,7 @@ TEST(JointFit, FindsTheRoomAndWhatOdometryErredBy) {
 TEST(JointFit, TellsHowARangeBiasMovesTheWalls) {
   const Pose2 stand{0.0, 0.1, 0.5};
   const auto at = [&](double bias_m) {
-    return *JointFitter({}, {}).fit(std::vector{seen_from(stand, stand, bias_m, 3)}, kRoom, 0.075);
+    return *JointFitter({}, {}).fit(std::vector{seen_from(stand, stand, bias_m, 3)}, kJointRoom, 0.075);
   };
   const JointFit plain = at(0.0), longer = at(0.01);
   EXPECT_NEAR(longer.room.rectangle.width_m - plain.room.rectangle.width_m,
@@ -61,17 +61,17 @@ TEST(JointFit, KnowsNothingOfAWallThatWasNotSeen) {
   const Pose2 stand{0.0, 0.1, 0.5};
   StandPoints seen = seen_from(stand, stand, 0.0, 4);
   std::erase_if(seen.points, [](const WallPoint& p) {
-    return (p.position - kRoom.wall(0).midpoint()).dot(kRoom.normal(0)) > -0.1;
+    return (p.position - kJointRoom.wall(0).midpoint()).dot(kJointRoom.normal(0)) > -0.1;
   });
-  const auto fit = JointFitter({}, {}).fit(std::vector{seen}, kRoom, 0.075);
+  const auto fit = JointFitter({}, {}).fit(std::vector{seen}, kJointRoom, 0.075);
   ASSERT_TRUE(fit);
   EXPECT_GT(fit->room.covariance(3, 3), 0.5) << "width, m²";
   EXPECT_LT(fit->room.covariance(4, 4), 0.01) << "height";
 }
 
 TEST(JointFit, IsNothingWithoutStands) {
-  EXPECT_FALSE(JointFitter({}, {}).fit({}, kRoom, 0.1));
-  EXPECT_FALSE(JointFitter({}, {}).fit(std::vector<StandPoints>(1), kRoom, 0.1));
+  EXPECT_FALSE(JointFitter({}, {}).fit({}, kJointRoom, 0.1));
+  EXPECT_FALSE(JointFitter({}, {}).fit(std::vector<StandPoints>(1), kJointRoom, 0.1));
 }
 
 }  // namespace
