@@ -14,7 +14,7 @@ struct JointFitConfig {
   double motion_sigma_deg = 1.0;      ///< … in the mean
   double reach_m = 0.25;              ///< a stand's walls may lie so far from the room's by that
   double range_bias_sigma_m = 0.017;  ///< of the laser; ±30 mm evenly spread: 30 mm / √3
-  double wall_sigma_m = 0.0004;       ///< how flat a wall is, and how well a plane describes it
+  double wall_sigma_m = 0.0002;       ///< how flat a wall is, and how well a plane describes it
 };
 
 /// What was measured from one stand, where odometry had it.

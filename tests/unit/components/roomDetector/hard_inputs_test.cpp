@@ -11,7 +11,7 @@ namespace enfilade::room_detector {
 namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInf = std::numeric_limits<float>::infinity();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 RoomDetector detector_in_a_room() {
   RoomDetector detector({});
@@ -27,7 +27,8 @@ void expect_the_room(const Detection& d) {
 
 TEST(HardInputs, ReturnsThatAreNoNumbersChangeNothing) {
   RoomDetector detector = detector_in_a_room();
-  detector.add_hits({.hits = {{kNan, 0, 1, 1}, {0, kInf, 1, 1}, {0, 0, -kInf, 1}, {1e30F, 1, 1, 1}}});
+  detector.add_hits(
+      {.hits = {{kNan, 0, 1, 1}, {0, kInfinity, 1, 1}, {0, 0, -kInfinity, 1}, {1e30F, 1, 1, 1}}});
   expect_the_room(detector.estimate(Pose2{}));
 }
 
