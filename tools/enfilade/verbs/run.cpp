@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
 #include <fmt/format.h>
 
+#include "components/topoGraph/storage/map_file.hpp"
 #include "tools/enfilade/composed_run.hpp"
 #include "tools/enfilade/verbs/verbs.hpp"
 
@@ -32,7 +34,10 @@ int run(const RunArguments& arguments, bool seed_given) {
   for (const std::string& kill : arguments.kills) options.kills.push_back(parse_kill(kill));
   if (!arguments.quiet) options.log = print_event;
   const report::Report report = run_composed(options);
-  if (!arguments.out.empty()) report::write_files(report, arguments.out);
+  if (!arguments.out.empty()) {
+    report::write_files(report, arguments.out);
+    topo_graph::save_map(std::filesystem::path(arguments.out) / "map.yaml", report.record.map);
+  }
   if (!arguments.json.empty()) report::write_file(arguments.json, report::to_json(report));
   std::cout << report::to_table(report);
   if (report.record.finished()) return 0;
@@ -52,7 +57,7 @@ Verb add_run(CLI::App& app) {
       ->required();
   CLI::Option* seed = command->add_option("--seed", arguments->seed, "Seed of the simulator's noise");
   command->add_option("--json", arguments->json, "Write the report to this file");
-  command->add_option("--out", arguments->out, "Write report.json and the pictures into this folder");
+  command->add_option("--out", arguments->out, "Write report.json, map.yaml and the pictures into this folder");
   command
       ->add_option("--set", arguments->settings,
                    "COMPONENT.KEY=VALUE: override one configuration key; may be repeated")
