@@ -11,6 +11,8 @@ namespace {
 
 constexpr const char* kBaseFrame = "base_link";
 constexpr const char* kLaserFrame = "laser";
+constexpr int kFusedPerLine = 3;  // of the lines that have waited, with each that comes
+constexpr int kFusedPerPeriod = 12;
 
 /// Seconds at the start of the component, so that a restarted one never repeats an epoch. Simulated time does
 /// not do for a process, which may start before the first rt/clock; a composed run, which must repeat itself
@@ -60,7 +62,8 @@ void GridBuilderNode::initialize() {
 
 void GridBuilderNode::compute() {
   // The sweep is over and has not told where the robot stands: its lines are fused where odometry has them.
-  if (!std::exchange(line_came_, false) && registrar_.waits()) insert(registrar_.give_up());
+  if (!std::exchange(line_came_, false) && registrar_.waits()) queue(registrar_.give_up());
+  fuse(kFusedPerPeriod);
   publish_zone_frame();
   if (lines_.overflowed() == overflow_told_) return;
   context_.log.warn(
@@ -88,6 +91,7 @@ void GridBuilderNode::take_motor_state(const MotorState& state) {
     odometry_.clear();
     lines_.clear();
     registrar_.forget_odometry();
+    settled_.clear();
     publish_zone_frame();
   }
   odom_boot_ = state.odom_boot;
@@ -97,6 +101,7 @@ void GridBuilderNode::take_motor_state(const MotorState& state) {
 void GridBuilderNode::start_grid() {
   grid_.clear();
   registrar_.forget_lines();
+  settled_.clear();
   memory_told_ = false;
   newest_line_ns_ = 0;
   const ZoneTag tag = gate_.tag();
@@ -114,7 +119,8 @@ void GridBuilderNode::work_off_lines() {
     const auto moment = find_moment(line.stamp_ns);
     if (!moment || moment->moving) continue;
     line_came_ = true;
-    insert(registrar_.take({line, moment->T_odom_base}, walls()));
+    queue(registrar_.take({line, moment->T_odom_base}, walls()));
+    fuse(kFusedPerLine);
   }
 }
 
@@ -129,8 +135,19 @@ std::optional<Rectangle> GridBuilderNode::walls() const {
   return is_ours ? std::optional(room_.rectangle) : std::nullopt;
 }
 
-void GridBuilderNode::insert(const std::vector<PlacedLine>& lines) {
-  for (const PlacedLine& placed : lines) insert(placed.line, registrar_.T_zone_odom() * placed.T_odom_base);
+void GridBuilderNode::queue(const std::vector<PlacedLine>& lines) {
+  for (const PlacedLine& placed : lines)
+    settled_.push_back({placed.line, registrar_.T_zone_odom() * placed.T_odom_base});
+}
+
+/// Lines that have waited for their pose come all at once. They are fused a few at a time, since each is a
+/// message that readers must have worked off before their queues are full.
+void GridBuilderNode::fuse(int most) {
+  for (; most > 0 && !settled_.empty(); --most) {
+    const SettledLine settled = std::move(settled_.front());
+    settled_.pop_front();
+    insert(settled.line, settled.T_zone_base);
+  }
 }
 
 /// Odometry never jumps, and the zone's frame stands still: what drifts between them hangs below odom.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <deque>
 #include <optional>
 
 #include "components/gridBuilder/core/line_placement.hpp"
@@ -22,6 +23,11 @@ class GridBuilderNode : public Node {
   void compute() override;
 
  private:
+  struct SettledLine {
+    BaseLine line;
+    Pose2 T_zone_base;
+  };
+
   void take_tf_static(const TransformList& transforms);
   void take_zone(const CurrentZone& zone);
   void take_motor_state(const MotorState& state);
@@ -29,7 +35,8 @@ class GridBuilderNode : public Node {
   void work_off_lines();
   std::optional<BaseMoment> find_moment(StampNs stamp_ns) const;
   std::optional<Rectangle> walls() const;
-  void insert(const std::vector<PlacedLine>& lines);
+  void queue(const std::vector<PlacedLine>& lines);
+  void fuse(int most);
   void insert(const BaseLine& line, const Pose2& T_zone_base);
   void publish_zone_frame();
   GridChange change(StampNs stamp_ns, std::vector<GridCell> cells) const;
@@ -42,8 +49,9 @@ class GridBuilderNode : public Node {
   OdometryBuffer odometry_;
   WaitingLines lines_;
   ScanRegistrar registrar_;
-  RoomEstimate room_;                       ///< as last told
-  std::optional<Point3f> origin_base_;      ///< of the beams, once rt/tf_static has told it
+  std::deque<SettledLine> settled_;     ///< waiting to be fused; at most registration.max_held_lines and one
+  RoomEstimate room_;                   ///< as last told
+  std::optional<Point3f> origin_base_;  ///< of the beams, once rt/tf_static has told it
   std::optional<std::uint32_t> odom_boot_;  ///< as last told by the motors
   StampNs newest_line_ns_ = 0;
   bool line_came_ = false;  ///< since the last compute()

@@ -57,7 +57,8 @@ Verb add_run(CLI::App& app) {
       ->required();
   CLI::Option* seed = command->add_option("--seed", arguments->seed, "Seed of the simulator's noise");
   command->add_option("--json", arguments->json, "Write the report to this file");
-  command->add_option("--out", arguments->out, "Write report.json, map.yaml and the pictures into this folder");
+  command->add_option("--out", arguments->out,
+                      "Write report.json, map.yaml and the pictures into this folder");
   command
       ->add_option("--set", arguments->settings,
                    "COMPONENT.KEY=VALUE: override one configuration key; may be repeated")
