@@ -13,4 +13,8 @@ struct DdsConfig {
   double lease_s = 3.0;                                   ///< a silent participant counts as dead after this
 };
 
+/// Of a process: without shared memory where the environment says ENFILADE_SHARED_MEMORY=off. Fast DDS 2.9
+/// keeps locks in shared memory; a process killed while it holds one can block all the others for good.
+DdsConfig deployed_dds_config(int domain);
+
 }  // namespace enfilade

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "interfaces/dds/participant.hpp"
 
+#include <algorithm>
+#include <atomic>
 #include <stdexcept>
 
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
+#include <unistd.h>
 
 #include "interfaces/dds/qos.hpp"
 #include "interfaces/dds/shared_memory.hpp"
@@ -30,6 +33,18 @@ void set_lease(double lease_s, dds::DomainParticipantQos& qos) {
   if (!(discovery.leaseDuration == untouched)) return;
   discovery.leaseDuration = Duration_t(static_cast<long double>(lease_s));
   discovery.leaseDuration_announcementperiod = Duration_t(static_cast<long double>(lease_s / 3.0));
+}
+
+/// Left to itself Fast DDS gives the lowest free id, which after a SIGKILL is that of the dead participant,
+/// and with it the shared memory port that other processes still have mapped: what they send goes into the
+/// old one, and the new participant stays unheard. The process id makes the ports of a restarted process new
+/// ones. A profiles file may set another. Unique within the process, and small enough for a port of any
+/// domain.
+void set_participant_id(int domain, dds::DomainParticipantQos& qos) {
+  static std::atomic<int> made_before = 0;
+  if (qos.wire_protocol().participant_id >= 0) return;
+  const int ids = std::min(100, (65535 - 7400 - 250 * domain - 11) / 2);
+  qos.wire_protocol().participant_id = (static_cast<int>(getpid()) + made_before++) % std::max(1, ids);
 }
 
 std::shared_ptr<rtps::UDPv4TransportDescriptor> udp_transport(const DdsConfig& config) {
@@ -58,6 +73,7 @@ Participant::Participant(const std::string& name, const DdsConfig& config, Warn 
   qos.name(name);
   qos.properties().properties().emplace_back("enfilade.component", name, true);
   set_lease(config.lease_s, qos);
+  set_participant_id(config.domain, qos);
   choose_transports(config, qos);
 
   participant_ = factory->create_participant(static_cast<std::uint32_t>(config.domain), qos, this,

@@ -9,7 +9,7 @@ namespace enfilade {
 int run_component(const ComponentRecipe& recipe, int argc, char** argv) {
   return run_process(recipe, argc, argv,
                      [](const std::string& component, int domain, Executor& executor, Log& log) {
-                       return std::make_unique<DdsBus>(component, DdsConfig{.domain = domain}, executor, log);
+                       return std::make_unique<DdsBus>(component, deployed_dds_config(domain), executor, log);
                      });
 }
 

@@ -25,7 +25,7 @@ Session::Session(DeploymentConfig deployment, int domain, std::function<void(con
     : deployment_(std::move(deployment)),
       say_(std::move(say)),
       log_("enfilade", clock_, [this](const LogLine& line) { say_(line.text); }),
-      bus_("enfilade", DdsConfig{.domain = domain}, executor_, log_) {
+      bus_("enfilade", deployed_dds_config(domain), executor_, log_) {
   remove_stale_segments();
   bus_.subscribe<Heartbeat>(topics::kHeartbeat, [this](const Heartbeat& beat) {
     last_beat_[beat.component_name] = std::chrono::steady_clock::now();

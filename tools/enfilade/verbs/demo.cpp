@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/enfilade/launch/demo.hpp"
 
+#include <cstdlib>
 #include <memory>
 
 #include "tools/enfilade/verbs/verbs.hpp"
@@ -30,6 +31,8 @@ Verb add_demo(CLI::App& app) {
   return {command, [options, settings, seed] {
             options->seed_given = seed->count() > 0;
             options->settings = Settings(*settings);
+            // Whatever is killed here is started again, and must not leave a lock of Fast DDS taken.
+            setenv("ENFILADE_SHARED_MEMORY", "off", 0);
             return options->input.empty() ? launch::run_simulated_demo(*options)
                                           : launch::run_replay_demo(*options);
           }};
