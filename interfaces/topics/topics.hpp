@@ -20,7 +20,7 @@
 namespace enfilade::topics {
 
 inline constexpr Qos kStream{.reliable = true, .latched = false, .depth = 100};
-inline constexpr Qos kBulk{.reliable = true, .latched = false, .depth = 40};
+inline constexpr Qos kBulk{.reliable = true, .latched = false, .depth = 100};
 inline constexpr Qos kState{.reliable = true, .latched = true, .depth = 1};
 inline constexpr Qos kCall{.reliable = true, .latched = false, .depth = 16};
 

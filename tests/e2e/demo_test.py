@@ -52,7 +52,7 @@ class WholeDemo(Finished):
     def test_seven_processes_model_both_rooms_and_leave_nothing_behind(self):
         before = shared_memory_files()
         with tempfile.TemporaryDirectory() as folder:
-            demo = Demo(folder, "--speed", 8, command=(SOURCE / "deploy/demo",) if BIN.parent.name == "release" else
+            demo = Demo(folder, "--speed", 5, command=(SOURCE / "deploy/demo",) if BIN.parent.name == "release" else
                         (BIN / "enfilade", "demo"))
             wait_for(lambda: len(processes_of(demo.domain)) == len(COMPONENTS) or demo.process.poll() is not None, 60, "seven processes")
             self.assertEqual(demo.finish(400), 0, demo.text())
@@ -95,7 +95,7 @@ class WholeDemo(Finished):
 class Survival(Finished):
     def test_killed_grid_builder_and_explorer_rejoin_and_the_exploration_finishes(self):
         with tempfile.TemporaryDirectory() as folder:
-            demo = Demo(folder, "--speed", 8)
+            demo = Demo(folder, "--speed", 5)
             wait_for(lambda: demo.said("sweep 1 ") or demo.process.poll() is not None, 90, "the first sweep")
             self.kill(demo, "gridBuilder")
             wait_for(lambda: demo.said("room 1 fixed") or demo.process.poll() is not None, 200, "room 1")
