@@ -59,7 +59,7 @@ endfunction()
 function(enfilade_test name)
   cmake_parse_arguments(arg "" "TIMEOUT" "LABEL;SOURCES;DEPENDS" ${ARGN})
   if(NOT arg_TIMEOUT)
-    set(arg_TIMEOUT 60)
+    set(arg_TIMEOUT 180)  # sanitizers take ten times as long
   endif()
   add_executable(${name} ${arg_SOURCES})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
