@@ -26,6 +26,7 @@
 #include "tools/simulator/node/simulator_config.hpp"
 #include "tools/simulator/node/simulator_node.hpp"
 #include "tools/simulator/world/load_world.hpp"
+#include "tools/support/scratch_folder.hpp"
 
 namespace enfilade {
 namespace {
@@ -82,6 +83,20 @@ Settings settings_of(const ComposedRunOptions& options) {
   return settings;
 }
 
+/// Whether topoGraph dies and has nothing to come back from.
+bool kills_map_keeper(const ComposedRunOptions& options) {
+  const ConfigOverrides& overrides = options.settings.of("topoGraph");
+  const bool dies = std::any_of(options.kills.begin(), options.kills.end(),
+                                [](const Kill& kill) { return kill.component == "topoGraph"; });
+  return dies && std::none_of(overrides.begin(), overrides.end(),
+                              [](const std::string& o) { return o.starts_with("map_file="); });
+}
+
+void keep_map_in(const std::filesystem::path& folder, Settings& settings) {
+  settings.set("topoGraph", "map_file", folder / "map.yaml");
+  settings.set("topoGraph", "resume", "true");
+}
+
 }  // namespace
 
 Kill parse_kill(const std::string& text) {
@@ -105,8 +120,10 @@ report::Report run_composed(const ComposedRunOptions& options) {
   const simulator::WorldTruth truth = simulator::load_world(options.world).truth;
   ComposedConfig config{.log = options.log};
   if (options.through_wire) config.through_wire = wire::through_wire;
+  Settings settings = settings_of(options);
+  std::optional<ScratchFolder> scratch;
+  if (kills_map_keeper(options)) keep_map_in(scratch.emplace().path(), settings);
   ComposedSystem system(config);
-  const Settings settings = settings_of(options);
   for (const auto& [name, add_it] : components()) add_it(system, name, settings);
   report::RunRecorder recorder(system.tool_bus(), truth.T_world_start);
   run_with_kills(system, options, settings, [&] { return recorder.record().ended(); });

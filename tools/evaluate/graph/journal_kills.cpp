@@ -18,6 +18,7 @@
 #include "components/topoGraph/node/topo_graph_node.hpp"
 #include "components/topoGraph/storage/map_file.hpp"
 #include "interfaces/runtime/composed_system.hpp"
+#include "tools/support/scratch_folder.hpp"
 
 namespace enfilade::evaluate {
 namespace {
@@ -155,21 +156,6 @@ std::set<RoomId> live_and_die(const fs::path& map_file, const Life& life) {
   return announced;
 }
 
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = fs::temp_directory_path() / "enfilade_kills_XXXXXX";
-    if (!::mkdtemp(name.data()))
-      throw std::system_error(errno, std::generic_category(), "cannot make " + name);
-    path = name;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(path, ignored);
-  }
-  fs::path path;
-};
-
 }  // namespace
 
 JournalKills kill_writers(int kills, std::uint64_t seed) {
@@ -180,7 +166,7 @@ JournalKills kill_writers(int kills, std::uint64_t seed) {
   fs::path map_file;
   std::size_t rooms = kRoomsOfABuilding;
   for (; result.kills < kills; ++result.kills) {
-    if (rooms >= kRoomsOfABuilding) map_file = folder.path / std::to_string(result.kills) / "map.yaml";
+    if (rooms >= kRoomsOfABuilding) map_file = folder.path() / std::to_string(result.kills) / "map.yaml";
     const std::set<RoomId> announced =
         live_and_die(map_file, {std::chrono::microseconds(life_us(random)), result.kills % 4 != 0});
     const TopologicalMap map = fs::exists(map_file) ? topo_graph::load_state(map_file).map : TopologicalMap{};
