@@ -45,6 +45,11 @@ class BadInput(unittest.TestCase):
     def test_override_out_of_range_is_refused_by_run_too(self):
         self.assert_refused(run("run", PAPER_WORLD, "--set", "roomDetector.step_m=9"), "step_m")
 
+    def test_kill_of_something_unknown_says_what_to_give(self):
+        for kill in ("simulator@3", "explorer", "explorer@soon", "explorer@-1"):
+            with self.subTest(kill=kill):
+                self.assert_refused(run("run", PAPER_WORLD, "--kill", kill), kill, "COMPONENT@SECONDS")
+
     def test_missing_configuration_is_named(self):
         self.assert_refused(self.component("topoGraph", "--config", self.folder / "none.yaml"), "none.yaml")
 

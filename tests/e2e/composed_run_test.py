@@ -4,7 +4,7 @@ import json
 import statistics
 import unittest
 
-from support import FULL, PAPER_WORLD, Finished, explore, without_wall_time
+from support import COMPONENTS, FULL, PAPER_WORLD, Finished, explore, without_wall_time
 
 SEEDS = range(1, 21) if FULL else range(1, 6)
 
@@ -31,6 +31,18 @@ class AtThePapersStep(PaperRooms):
 class AtFiveCentimetres(PaperRooms):
     def test_every_room_and_door_is_found_and_sizes_are_within_three_centimetres(self):
         self.explore_all_seeds(0.05, 0.03)
+
+
+class Survival(Finished):
+    """A component dies once while room 1 is modelled and once on the way through the building."""
+
+    def test_components_may_be_killed_and_the_rooms_are_the_same(self):
+        for component in sorted(set(COMPONENTS) - {"simulator", "motorControl"}):  # motorControl: its README, Known limits
+            with self.subTest(component=component):
+                kills = [argument for at_s in (30, 100) for argument in ("--kill", f"{component}@{at_s}")]
+                report = json.loads(explore(PAPER_WORLD, "--seed", 2, *kills))
+                self.assert_explored(report)
+                self.assertLessEqual(report["metrics"]["size_error_max_m"], 0.05)
 
 
 class Repeatability(unittest.TestCase):

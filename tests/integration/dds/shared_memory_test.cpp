@@ -121,5 +121,16 @@ TEST(SharedMemory, KeepsCarryingMessagesWhenLeftoversAreRemoved) {
   EXPECT_EQ(next.wait(), 0);
 }
 
+TEST(SharedMemory, IsLeftOutWhereTheEnvironmentSaysSo) {
+  EXPECT_TRUE(deployed_dds_config(7).shared_memory);
+  setenv("ENFILADE_SHARED_MEMORY", "off", 1);
+  const DdsConfig config = deployed_dds_config(7);
+  unsetenv("ENFILADE_SHARED_MEMORY");
+  EXPECT_FALSE(config.shared_memory);
+  EXPECT_EQ(config.domain, 7);
+  Peer peer("laser3D", {.domain = test::own_domain(), .shared_memory = config.shared_memory});
+  EXPECT_FALSE(peer.bus->uses_shared_memory());
+}
+
 }  // namespace
 }  // namespace enfilade

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "components/gridBuilder/node/grid_builder_node.hpp"
 
+#include <algorithm>
 #include <map>
 
 #include <gtest/gtest.h>
@@ -104,6 +105,41 @@ TEST_F(GridBuilderNodeTest, TellsWhereTheZoneLiesInOdometryWhateverElseHappens) 
   const auto T_zone_odom = find_zone_odom(tf.back());
   ASSERT_TRUE(T_zone_odom);
   EXPECT_EQ(*T_zone_odom, Pose2{});
+}
+
+/// Readers keep a limited queue: a burst of all that waited would push changes out of it.
+TEST_F(GridBuilderNodeTest, FusesLinesThatWaitedForTheirPlaceAFewAtATime) {
+  start_sweeping();
+  see(2.0);
+  settle();
+  RoomEstimate estimate{.tag = {1, 1, 7}, .found = true};
+  estimate.rectangle = {0.0, -0.0075, 0.002, 6.011, 5.018};
+  harness_->publish(topics::kRoomEstimate, estimate);
+  const Pose2 T_zone_base{0.5, 0.2, 0.3};
+  for (int i = 0; i < 50; ++i) tell_pose(5.1 + 0.1 * i, T_zone_base);
+  settle();
+
+  const BoxRoom room;
+  const std::size_t at_first = changes_->size();
+  std::size_t most_at_once = 0;
+  int waited = 0;
+  constexpr int kLines = 120;
+  for (int i = 0; i < kLines; ++i) {
+    PointCloud cloud{from_seconds(5.2 + 0.025 * i), "base_link", {}};
+    for (const Point3f& p : room.scan(0, {0.5, 0.2, 0.6}, radians(-90.0 + i), 541).hits) {
+      const Point2 q = T_zone_base.inverse() * Point2(p.x_m, p.y_m);
+      cloud.points.push_back({static_cast<float>(q.x()), static_cast<float>(q.y()), p.z_m});
+    }
+    const std::size_t before = changes_->size();
+    harness_->publish(topics::kPoints, cloud);
+    settle();
+    most_at_once = std::max(most_at_once, changes_->size() - before);
+    waited += changes_->size() == at_first;
+  }
+  EXPECT_GT(waited, 4);
+  EXPECT_LE(most_at_once, 3u);
+  harness_->advance_s(1.0);
+  EXPECT_EQ(changes_->size(), at_first + kLines);
 }
 
 TEST_F(GridBuilderNodeTest, WaitsForTheOdometryThatCoversALine) {
