@@ -70,7 +70,8 @@ void draw_legend(SvgCanvas& canvas) {
   const double y = canvas.height_px() - 14.0;
   canvas.swatch(12.0, y, kWall, "wall");
   canvas.swatch(84.0, y, kOpen, "door");
-  canvas.swatch(156.0, y, kUnexplored, "unseen");
+  canvas.swatch(156.0, y, kPossible, "door?");
+  canvas.swatch(234.0, y, kUnexplored, "unseen");
   canvas.scale_bar();
 }
 
