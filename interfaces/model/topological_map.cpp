@@ -8,6 +8,7 @@ namespace {
 
 template <class T>
 const T* find_by_id(const std::vector<T>& items, std::uint32_t id) {
+  if (id > 0 && id <= items.size() && items[id - 1].id == id) return &items[id - 1];  // none was ever removed
   const auto it = std::find_if(items.begin(), items.end(), [id](const T& item) { return item.id == id; });
   return it == items.end() ? nullptr : &*it;
 }

@@ -82,6 +82,7 @@ void bind(ConfigBinder& c, TopoGraphConfig& config) {
   GraphConfig& graph = config.graph;
   c.group("period", [&](ConfigBinder& group) { bind(group, config.period); });
   c.text("map_file", config.map_file);
+  c.integer("journal_kib", config.journal_kib, 1, 65536);
   c.flag("resume", config.resume);
   c.flag("locate", config.locate);
   c.number("inside_room_m", graph.changer.inside_room_m, 0.0, 2.0);

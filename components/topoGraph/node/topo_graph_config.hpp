@@ -11,6 +11,7 @@ namespace enfilade::topo_graph {
 struct TopoGraphConfig {
   PeriodConfig period{.compute_s = 0.05};  ///< of tf map → odom
   std::string map_file;                    ///< where map and session are kept; "" = nowhere
+  int journal_kib = 64;                    ///< the journal is folded into map_file when larger than both
   bool resume = false;                     ///< go on with the session in map_file, where there is one
   bool locate = false;                     ///< with resume: the robot may stand anywhere in the map
   GraphConfig graph;

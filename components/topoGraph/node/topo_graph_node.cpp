@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "components/topoGraph/node/story.hpp"
-#include "components/topoGraph/storage/map_file.hpp"
+#include "components/topoGraph/storage/map_folder.hpp"
 
 namespace enfilade::topo_graph {
 
@@ -14,26 +14,40 @@ TopoGraphNode::TopoGraphNode(const NodeContext& context, const TopoGraphConfig& 
     : context_(context), config_(config), graph_(config.graph, first_state(context.clock.now_ns())) {}
 
 void TopoGraphNode::initialize() {
-  graph_.reset_to(start_state());
-  if (!config_.map_file.empty()) save_state(config_.map_file, graph_.state());
+  const KeptState start = start_state();
+  graph_.reset_to(start.state);
+  if (!config_.map_file.empty()) {
+    store_.emplace(MapStoreConfig{config_.map_file, 1024 * static_cast<std::size_t>(config_.journal_kib)},
+                   start.records);
+    store_->begin(graph_.state());
+  }
   open_topics();
   map_.publish(graph_.state().map);
   zone_.publish(graph_.state().session.zone);
   publish_transform();
 }
 
-TopoState TopoGraphNode::start_state() {
+void TopoGraphNode::shutdown() {
+  if (store_) store_->end(graph_.state());
+}
+
+KeptState TopoGraphNode::start_state() {
   const std::filesystem::path file = config_.map_file;
-  if (file.empty() || !std::filesystem::exists(file)) return first_state(context_.clock.now_ns());
-  if (config_.resume) {
-    TopoState state = load_state(file);
-    context_.log.info(tell_resumed(state));
-    return config_.locate ? lost_state(state.map, state.session, context_.clock.now_ns()) : state;
+  if (!file.empty() && std::filesystem::exists(file)) {
+    if (config_.resume) return resumed_state();
+    const std::filesystem::path kept = file.string() + ".previous";
+    move_map(file, kept);
+    context_.log.info("a new map is started; the one before is kept in " + kept.string());
   }
-  const std::filesystem::path kept = file.string() + ".previous";
-  std::filesystem::rename(file, kept);
-  context_.log.info("a new map is started; the one before is kept in " + kept.string());
-  return first_state(context_.clock.now_ns());
+  return {.state = first_state(context_.clock.now_ns())};
+}
+
+KeptState TopoGraphNode::resumed_state() {
+  KeptState kept = load_kept(config_.map_file);
+  context_.log.info(tell_resumed(kept.state));
+  if (kept.torn) context_.log.warn(*kept.torn);
+  if (config_.locate) kept.state = lost_state(kept.state.map, kept.state.session, context_.clock.now_ns());
+  return kept;
 }
 
 void TopoGraphNode::open_topics() {
@@ -108,9 +122,9 @@ void TopoGraphNode::warn_of_lost_zone(const RoomEstimate& estimate) {
 
 /// Writes what has changed since `before`. Where that fails the change is undone, and the reason returned.
 std::optional<std::string> TopoGraphNode::commit(const TopoState& before) {
-  if (config_.map_file.empty() || graph_.state() == before) return std::nullopt;
+  if (!store_ || graph_.state() == before) return std::nullopt;
   try {
-    save_state(config_.map_file, graph_.state());
+    store_->keep(before, graph_.state());
     write_failed_ = false;
     return std::nullopt;
   } catch (const std::exception& error) {

@@ -6,6 +6,7 @@
 
 #include "components/topoGraph/core/topo_graph.hpp"
 #include "components/topoGraph/node/topo_graph_config.hpp"
+#include "components/topoGraph/storage/map_store.hpp"
 #include "interfaces/runtime/service.hpp"
 #include "interfaces/topics/topics.hpp"
 
@@ -19,9 +20,11 @@ class TopoGraphNode final : public Node {
 
   void initialize() override;
   void compute() override { publish_transform(); }
+  void shutdown() override;
 
  private:
-  TopoState start_state();
+  KeptState start_state();
+  KeptState resumed_state();
   void open_topics();
   FixRoomReply on_fix_room(const FixRoomRequest& request);
   EnterZoneReply on_enter_zone(const EnterZoneRequest& request);
@@ -35,6 +38,7 @@ class TopoGraphNode final : public Node {
   NodeContext context_;
   TopoGraphConfig config_;
   TopoGraph graph_;
+  std::optional<MapStore> store_;  ///< where there is a map_file
   std::optional<std::uint32_t> lost_in_boot_;
   bool write_failed_ = false;
   Pose2 T_zone_odom_;  ///< as gridBuilder tells it

@@ -10,8 +10,6 @@ namespace fs = std::filesystem;
 
 fs::path with_ending(const fs::path& path, const char* ending) { return path.string() + ending; }
 
-fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : "."; }
-
 void create_folders(const fs::path& folder, Disk& disk) {
   if (fs::exists(folder)) return;
   create_folders(folder_of(folder), disk);
@@ -20,24 +18,24 @@ void create_folders(const fs::path& folder, Disk& disk) {
 }
 
 /// By a second name, so that there is never a moment without the file itself.
-void keep_last(const fs::path& path, Disk& disk) {
-  const fs::path second = with_ending(path, ".last.tmp");
+void keep_old(const fs::path& path, const fs::path& old_one, Disk& disk) {
+  const fs::path second = with_ending(old_one, ".tmp");
   disk.remove(second);
-  if (disk.link(path, second)) disk.rename(second, last_good(path));
+  if (disk.link(path, second)) disk.rename(second, old_one);
 }
 
 }  // namespace
 
-fs::path last_good(const fs::path& path) { return with_ending(path, ".last"); }
+fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : "."; }
 
-void write_atomically(const fs::path& path, std::string_view text, Disk& disk) {
+void write_atomically(const fs::path& path, std::string_view text, const fs::path& old_one, Disk& disk) {
   create_folders(folder_of(path), disk);
   const fs::path temporary = with_ending(path, ".tmp");
   disk.remove(temporary);  // not written over: after a crash it may be a second name of the file itself
   try {
     disk.create(temporary, text);
     disk.sync(temporary);
-    keep_last(path, disk);
+    keep_old(path, old_one, disk);
     disk.rename(temporary, path);
   } catch (...) {
     disk.remove(temporary);

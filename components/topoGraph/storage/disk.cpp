@@ -49,12 +49,18 @@ class RealDisk final : public Disk {
     Descriptor(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC).write_all(text);
   }
   void sync(const Path& path) override { Descriptor(path, O_RDONLY | O_CLOEXEC).sync(); }
+  void append(const Path& path, std::string_view text) override {
+    const Descriptor file(path, O_WRONLY | O_APPEND | O_CLOEXEC);
+    file.write_all(text);
+    file.sync();
+  }
   void rename(const Path& from, const Path& to) override {
     if (::rename(from.c_str(), to.c_str()) != 0) fail_on("replace", to);
   }
   void sync_folder(const Path& folder) override {
     Descriptor(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC).sync();
   }
+  bool exists(const Path& path) const noexcept override { return ::access(path.c_str(), F_OK) == 0; }
   bool link(const Path& file, const Path& name) noexcept override {
     return ::link(file.c_str(), name.c_str()) == 0;
   }

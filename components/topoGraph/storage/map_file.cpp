@@ -1,51 +1,52 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "components/topoGraph/storage/map_file.hpp"
 
-#include <exception>
-#include <fstream>
-#include <sstream>
-#include <string>
-#include <utility>
-
-#include "components/topoGraph/storage/atomic_file.hpp"
+#include "components/topoGraph/storage/journal.hpp"
+#include "components/topoGraph/storage/map_consistency.hpp"
+#include "components/topoGraph/storage/map_folder.hpp"
+#include "components/topoGraph/storage/map_restore.hpp"
 
 namespace enfilade::topo_graph {
 namespace {
 
-MapFile read_map_file(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw MapFileError(path.string() + ": cannot be opened; check the name and that it may be read");
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (in.bad()) throw MapFileError(path.string() + ": cannot be read; check the disk");
-  return parse_map_file(text.str(), path.string());
-}
-
-/// " (…)" where the file that was there before the last change can be read; else nothing.
-std::string offer_last_good(const std::filesystem::path& path) {
-  const std::filesystem::path last = last_good(path);
-  try {
-    const MapFile file = read_map_file(last);
-    return " (the last good copy, with " + std::to_string(file.map.rooms.size()) + " rooms, is " +
-           last.string() + ": rename it to go on from there)";
-  } catch (const std::exception&) {
-    return {};
-  }
+[[noreturn]] void refuse_journal(const Journal& journal, const std::string& name) {
+  throw MapFileError(journal.name + ":4: continues record " + std::to_string(journal.base.record) +
+                     " of another " + name + " than the one beside it, which was changed since or is a copy");
 }
 
 }  // namespace
 
-MapFile load_map_file(const std::filesystem::path& path) {
+OpenedMap open_map(const std::string& text, const std::optional<std::string>& journal_text,
+                   const std::string& name) {
+  OpenedMap opened{.file = parse_map_file(text, name)};
+  if (!journal_text) return opened;
+  MapFile& file = opened.file;
+  const Journal journal = parse_journal(*journal_text, journal_of(name).string());
+  if (journal.base != JournalBase{file.records, crc32_of(text)}) {
+    if (journal.last_record() <= file.records && !journal.damage) return opened;
+    refuse_journal(journal, name);
+  }
+  opened.torn = journal.torn;
+  opened.replayed = journal.records.size();
+  if (const auto damage = replay(journal, file)) throw MapFileError(*damage);
+  if (const auto problem = find_contradiction(file))
+    throw MapFileError(journal.name + ":1: its records do not fit the map: " + *problem);
+  return opened;
+}
+
+OpenedMap open_map(const std::filesystem::path& path) {
   try {
-    return read_map_file(path);
+    // In this order: a topoGraph that folds the journal into the file meanwhile does the file first.
+    const std::optional<std::string> journal = read_if_there(journal_of(path));
+    const std::optional<std::string> text = read_if_there(path);
+    if (!text) throw MapFileError(path.string() + ": is not there; check the name");
+    return open_map(*text, journal, path.string());
   } catch (const MapFileError& error) {
     throw MapFileError(error.what() + offer_last_good(path));
   }
 }
 
-void save_map_file(const std::filesystem::path& path, const MapFile& file) {
-  write_atomically(path, to_yaml(file));
-}
+MapFile load_map_file(const std::filesystem::path& path) { return open_map(path).file; }
 
 TopologicalMap load_map(const std::filesystem::path& path) { return load_map_file(path).map; }
 
@@ -53,18 +54,9 @@ void save_map(const std::filesystem::path& path, const TopologicalMap& map) {
   save_map_file(path, {map, std::nullopt});
 }
 
-TopoState load_state(const std::filesystem::path& path) {
-  MapFile file = load_map_file(path);
-  if (!file.session) {
-    throw MapFileError(
-        path.string() +
-        ":1: holds a map but no session, so nothing tells where the robot is; start with resume: false");
-  }
-  return {std::move(file.map), std::move(*file.session)};
-}
-
-void save_state(const std::filesystem::path& path, const TopoState& state) {
-  save_map_file(path, {state.map, state.session});
+void save_map_file(const std::filesystem::path& path, const MapFile& file) {
+  write_map_file(path, to_yaml(file));
+  end_journal(path);
 }
 
 }  // namespace enfilade::topo_graph

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string_view>
 
 #include "components/topoGraph/core/topo_state.hpp"
@@ -10,9 +11,13 @@
 namespace enfilade::topo_graph::names {
 
 inline constexpr std::string_view kFormat = "enfilade-map";
-inline constexpr int kVersion = 1;
+/// 2 has `records`, and may have a journal beside it.
+inline constexpr std::uint64_t kVersion = 2;
 /// The last line: a file without it was cut off.
 inline constexpr std::string_view kEnd = "end: enfilade-map\n";
+
+inline constexpr std::string_view kJournalFormat = "enfilade-map-journal";
+inline constexpr int kJournalVersion = 1;
 
 /// By the value of DoorKind.
 inline constexpr std::array<std::string_view, 4> kDoorKinds{"unresolved", "passage", "exit", "blocked"};

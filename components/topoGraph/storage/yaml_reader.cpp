@@ -18,10 +18,22 @@ bool parse(const std::string& text, T& value) {
 
 }  // namespace
 
-void YamlValue::fail(const std::string& what) const {
-  throw MapFileError(*file_ + ":" + std::to_string(node_.Mark().line + 1) + ": " + key_ + ": " + what +
+void YamlSource::fail(int line, const std::string& what) const {
+  throw MapFileError(file + ":" + std::to_string(lines_before + line + 1) + ": " + what +
                      "; mend the line or take an older copy of the file");
 }
+
+YAML::Node load_yaml(const std::string& text, const YamlSource& source) {
+  try {
+    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+    if (documents.size() != 1) source.fail(0, "holds more than one document, or none");
+    return documents.front();
+  } catch (const YAML::Exception& error) {
+    source.fail(error.mark.line, error.msg);
+  }
+}
+
+void YamlValue::fail(const std::string& what) const { source_->fail(node_.Mark().line, key_ + ": " + what); }
 
 const std::string& YamlValue::scalar(const char* wanted) const {
   if (!node_.IsScalar()) fail(std::string("must be ") + wanted);
@@ -72,14 +84,14 @@ std::vector<YamlValue> YamlValue::list() const {
   if (!node_.IsSequence()) fail("must be a list");
   std::vector<YamlValue> items;
   for (const YAML::Node& item : node_)
-    items.emplace_back(item, *file_, key_ + "[" + std::to_string(items.size()) + "]");
+    items.emplace_back(item, *source_, key_ + "[" + std::to_string(items.size()) + "]");
   return items;
 }
 
 YamlMap::YamlMap(const YamlValue& value) : value_(value) {
   if (!value.node_.IsMap()) value.fail("must hold keys and values");
   for (const auto& entry : value.node_) {
-    const YamlValue key(entry.first, *value.file_, value.key_);
+    const YamlValue key(entry.first, *value.source_, value.key_);
     const std::string name = key.text();
     const auto same = [&name](const Entry& other) { return other.key == name; };
     if (std::any_of(entries_.begin(), entries_.end(), same)) key.fail("the key " + name + " is given twice");
@@ -91,7 +103,7 @@ std::optional<YamlValue> YamlMap::take_if_present(const char* key) {
   for (Entry& entry : entries_) {
     if (entry.key != key) continue;
     entry.taken = true;
-    return YamlValue(entry.value, *value_.file_, key);
+    return YamlValue(entry.value, *value_.source_, key);
   }
   return std::nullopt;
 }
@@ -104,7 +116,7 @@ YamlValue YamlMap::take(const char* key) {
 
 void YamlMap::finish() const {
   for (const Entry& entry : entries_) {
-    if (!entry.taken) YamlValue(entry.value, *value_.file_, entry.key).fail("is not a key of this format");
+    if (!entry.taken) YamlValue(entry.value, *value_.source_, entry.key).fail("is not a key of this format");
   }
 }
 

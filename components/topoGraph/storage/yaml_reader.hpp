@@ -12,11 +12,23 @@
 
 namespace enfilade::topo_graph {
 
-/// One value of a YAML file that knows the file's name, for errors that name the line.
+/// Where a piece of YAML comes from, for errors that name the line.
+struct YamlSource {
+  std::string file;
+  int lines_before = 0;  ///< lines of the file before the piece
+
+  /// "file:line: what; what to do". `line` counts from 0 within the piece.
+  [[noreturn]] void fail(int line, const std::string& what) const;
+};
+
+/// The one document in `text`. Throws MapFileError.
+YAML::Node load_yaml(const std::string& text, const YamlSource& source);
+
+/// One value of a YAML file. The source must outlive it.
 class YamlValue {
  public:
-  YamlValue(YAML::Node node, const std::string& file, std::string key)
-      : node_(std::move(node)), file_(&file), key_(std::move(key)) {}
+  YamlValue(YAML::Node node, const YamlSource& source, std::string key)
+      : node_(std::move(node)), source_(&source), key_(std::move(key)) {}
 
   [[noreturn]] void fail(const std::string& what) const;
 
@@ -35,7 +47,7 @@ class YamlValue {
   const std::string& scalar(const char* wanted) const;
 
   YAML::Node node_;
-  const std::string* file_;
+  const YamlSource* source_;
   std::string key_;
 };
 

@@ -51,6 +51,7 @@ class DoomedWriter {
     TopoGraphConfig config;
     config.map_file = map_file;
     config.resume = true;
+    config.journal_kib = 1;  // is folded often, so that deaths fall into that too
     system_.add("topoGraph", config.period, [config](const NodeContext& context) {
       return std::make_unique<TopoGraphNode>(context, config);
     });
@@ -169,7 +170,10 @@ JournalKills kill_writers(int kills, std::uint64_t seed) {
     if (rooms >= kRoomsOfABuilding) map_file = folder.path() / std::to_string(result.kills) / "map.yaml";
     const std::set<RoomId> announced =
         live_and_die(map_file, {std::chrono::microseconds(life_us(random)), result.kills % 4 != 0});
-    const TopologicalMap map = fs::exists(map_file) ? topo_graph::load_state(map_file).map : TopologicalMap{};
+    const topo_graph::OpenedMap opened =
+        fs::exists(map_file) ? topo_graph::open_map(map_file) : topo_graph::OpenedMap{};
+    const TopologicalMap& map = opened.file.map;
+    result.journals_replayed += opened.replayed > 0;
     for (const RoomId id : announced) result.lost_rooms += map.find_room(id) == nullptr;
     result.announced_rooms += static_cast<int>(announced.size());
     result.rooms_at_death += static_cast<int>(map.rooms.size());

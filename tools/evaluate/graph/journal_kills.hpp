@@ -7,9 +7,10 @@ namespace enfilade::evaluate {
 
 struct JournalKills {
   int kills = 0;
-  int lost_rooms = 0;       ///< announced by a topoGraph, and not in the map file after its death
-  int announced_rooms = 0;  ///< over all lives, those that a life started with included
-  int rooms_at_death = 0;   ///< in the file, over all lives
+  int lost_rooms = 0;         ///< announced by a topoGraph, and not in its map after its death
+  int announced_rooms = 0;    ///< over all lives, those that a life started with included
+  int rooms_at_death = 0;     ///< in the map, over all lives
+  int journals_replayed = 0;  ///< deaths after which a part of the map was in the journal alone
 };
 
 /// Kills a topoGraph (SIGKILL) that fixes room after room, at random moments, and starts it again with the

@@ -14,6 +14,8 @@
 #include <unistd.h>
 
 #include "components/topoGraph/storage/atomic_file.hpp"
+#include "components/topoGraph/storage/map_restore.hpp"
+#include "components/topoGraph/storage/map_store.hpp"
 #include "tests/unit/components/topoGraph/rooms.hpp"
 
 namespace enfilade::topo_graph {
@@ -110,7 +112,7 @@ TEST(MapFile, NamesTheLineAndWhatIsWrong) {
     EXPECT_EQ(error.rfind("map.yaml:" + std::to_string(line_of(good, from)) + ": ", 0), 0u) << error;
     EXPECT_NE(error.find(what), std::string::npos) << error;
   };
-  expect_error("version: 1", "version: 2", "version 1 only");
+  expect_error("version: 2", "version: 3", "versions 1 to 2");
   expect_error("format: enfilade-map", "format: other", "is not enfilade-map");
   expect_error("width_m: 3.2", "width_m: nan", "finite");
   expect_error("width_m: 3.2", "width_m: -3.2", "greater than 0");
@@ -167,34 +169,37 @@ TEST_F(MapFileOnDisk, OffersTheLastGoodCopyOfADamagedFile) {
   };
   std::ofstream(path) << replaced(to_yaml(file), "width_m: 3.2", "width_m: nan");
   EXPECT_NE(told().find("finite"), std::string::npos);
-  EXPECT_EQ(told().find("last good"), std::string::npos);  // there is none yet
+  EXPECT_EQ(told().find("last good"), std::string::npos) << told();  // there is none yet
   save_map_file(path, file);
   save_map_file(path, file);
   std::ofstream(path) << to_yaml(file).substr(0, 100);
   EXPECT_EQ(told().rfind(path.string() + ":2: ", 0), 0u) << told();
-  EXPECT_NE(told().find("(the last good copy, with 2 rooms, is " + last_good(path).string()),
-            std::string::npos);
-  fs::rename(last_good(path), path);
+  EXPECT_NE(told().find("(the last good map has 2 rooms: 'enfilade map restore " + path.string() + "'"),
+            std::string::npos)
+      << told();
+  EXPECT_EQ(restore_last_good(path), file);
   EXPECT_EQ(load_map_file(path), file);
+  EXPECT_EQ(read(path.string() + ".damaged"), to_yaml(file).substr(0, 100));
+  EXPECT_THROW(restore_last_good(path), MapFileError);  // what is good is left as it is
 }
 
 TEST_F(MapFileOnDisk, KeepsTheOldFileWhenAWriteFails) {
   const fs::path path = folder_ / "map.yaml";
-  write_atomically(path, "old");
+  write_atomically(path, "old", folder_ / "kept");
   fs::create_directory(folder_ / "map.yaml.tmp");
-  EXPECT_THROW(write_atomically(path, "new"), std::system_error);
+  EXPECT_THROW(write_atomically(path, "new", folder_ / "kept"), std::system_error);
   EXPECT_EQ(read(path), "old");
 }
 
 TEST_F(MapFileOnDisk, KeepsTheOldFileWhenTheDiskIsFull) {
   const fs::path path = folder_ / "map.yaml";
-  write_atomically(path, "old");
+  write_atomically(path, "old", folder_ / "kept");
   std::signal(SIGXFSZ, SIG_IGN);
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
   const rlimit small{4096, before.rlim_max};
   setrlimit(RLIMIT_FSIZE, &small);
-  EXPECT_THROW(write_atomically(path, std::string(100000, 'x')), std::system_error);
+  EXPECT_THROW(write_atomically(path, std::string(100000, 'x'), folder_ / "kept"), std::system_error);
   setrlimit(RLIMIT_FSIZE, &before);
   EXPECT_EQ(read(path), "old");
   EXPECT_FALSE(fs::exists(folder_ / "map.yaml.tmp"));

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "components/topoGraph/storage/map_file.hpp"
+#include "components/topoGraph/storage/map_folder.hpp"
 #include "tests/support/node_harness.hpp"
 #include "tests/unit/components/topoGraph/rooms.hpp"
 
@@ -128,11 +129,14 @@ TEST_F(TopoGraphNodeTest, RefusesWhatItCannotKeep) {
   Harness harness("topoGraph", config_);
   harness.node();
   fs::create_directory(config_.map_file + ".tmp");
+  fs::remove(config_.map_file + ".journal");
+  fs::create_directory(config_.map_file + ".journal");
   const auto refused = harness.call(topics::kFixRoom, fix1());
   ASSERT_TRUE(refused);
   EXPECT_FALSE(refused->accepted);
   EXPECT_NE(refused->message.find("map.yaml"), std::string::npos);
   fs::remove(config_.map_file + ".tmp");
+  fs::remove(config_.map_file + ".journal");
   EXPECT_TRUE(harness.call(topics::kFixRoom, fix1())->accepted);
   EXPECT_EQ(load_map(config_.map_file).rooms.size(), 1u);  // the first try had left nothing in memory either
 }
@@ -161,6 +165,37 @@ TEST_F(TopoGraphNodeTest, KeepsThePreviousMapWhenItStartsANewOne) {
   { Harness("topoGraph", config_).node(); }
   EXPECT_TRUE(load_map(config_.map_file).rooms.empty());
   EXPECT_EQ(load_map(config_.map_file + ".previous").rooms.size(), 1u);
+}
+
+TEST_F(TopoGraphNodeTest, LeavesOneWholeFileWhenItStops) {
+  {
+    Harness harness("topoGraph", config_);
+    harness.call(topics::kFixRoom, fix1());
+    EXPECT_TRUE(fs::exists(config_.map_file + ".journal"));
+  }
+  EXPECT_FALSE(fs::exists(config_.map_file + ".journal"));
+  EXPECT_EQ(load_map(config_.map_file).rooms.size(), 1u);
+}
+
+TEST_F(TopoGraphNodeTest, GoesOnFromTheJournalOfOneThatDied) {
+  const std::string left = folder_ / "left.yaml";
+  {
+    Harness harness("topoGraph", config_);
+    harness.call(topics::kFixRoom, fix1());
+    harness.call(topics::kEnterZone, enter2());
+    fs::copy_file(config_.map_file, left);
+    fs::copy_file(config_.map_file + ".journal", left + ".journal");
+  }
+  std::ofstream(left + ".journal", std::ios::app)
+      << "---  # record 3, 99 bytes\ncha";  // it died writing this
+  EXPECT_TRUE(parse_map_file(read_if_there(left).value(), left).map.rooms.empty());
+  config_.map_file = left;
+  Harness harness("topoGraph", config_);
+  auto& zones = harness.collect(topics::kCurrentZone);
+  harness.node();
+  harness.advance_s(0.1);
+  EXPECT_EQ(zones.back().zone_id, 2u);
+  EXPECT_EQ(harness.call(topics::kFixRoom, fix2())->room, 2u);
 }
 
 TEST_F(TopoGraphNodeTest, RefusesToStartFromADamagedFile) {
