@@ -212,6 +212,16 @@ class MapVerbs(unittest.TestCase):
         for name in ("hall", "7", "", "1.5,2"):
             self.refused("rename", self.map, "3", name)
 
+    def test_restore_puts_the_last_good_map_back(self):
+        self.refused("restore", self.map, words=[self.map, "not damaged"])
+        self.done("rename", self.map, "3", "kitchen")
+        whole = self.map.read_text()
+        self.map.write_text(whole[:len(whole) // 2])
+        self.refused("show", self.map, words=[f"{self.map}:", f"enfilade map restore {self.map}"])
+        self.assertIn("4 rooms, 5 doors", self.done("restore", self.map))
+        self.assertIn("room 3", self.done("show", self.map))
+        self.assertEqual((self.folder / f"{self.map.name}.damaged").read_text(), whole[:len(whole) // 2])
+
     def test_merge_joins_two_maps_over_their_common_rooms(self):
         def row(first, count, heights, shift):
             rooms = "".join(ROOM.format(id=i + 1, name=f"room {i + 1}", x=4.2 * (first + i) + shift, y=shift)

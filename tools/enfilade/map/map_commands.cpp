@@ -12,6 +12,7 @@
 #include "components/topoGraph/merge/map_merge.hpp"
 #include "components/topoGraph/routes/map_check.hpp"
 #include "components/topoGraph/storage/map_file.hpp"
+#include "components/topoGraph/storage/map_restore.hpp"
 
 namespace enfilade::map_tool {
 namespace {
@@ -124,6 +125,12 @@ std::string merge(const std::string& first, const std::string& second, const std
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(first + " and " + second + ": " + error.what());
   }
+}
+
+std::string restore(const std::string& file) {
+  const TopologicalMap map = topo_graph::restore_last_good(file).map;
+  return fmt::format("{} is the last good map again: {} rooms, {} doors; the damaged one is {}.damaged\n",
+                     file, map.rooms.size(), map.doors.size(), file);
 }
 
 std::string rename(const std::string& file, const std::string& room, const std::string& name) {

@@ -39,6 +39,9 @@ std::vector<std::string> check(const std::string& file);
 /// Writes a map of the rooms of both; returns what was done, for people.
 std::string merge(const std::string& first, const std::string& second, const std::string& out);
 
+/// Puts the last good map in place of a damaged one; returns what was done, for people.
+std::string restore(const std::string& file);
+
 /// Returns the old name.
 std::string rename(const std::string& file, const std::string& room, const std::string& name);
 

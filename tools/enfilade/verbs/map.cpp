@@ -83,6 +83,16 @@ Verb add_merge(CLI::App& group) {
           }};
 }
 
+Verb add_restore(CLI::App& group) {
+  auto file = std::make_shared<std::string>();
+  CLI::App* command = group.add_subcommand("restore", "Put the last good map in place of a damaged one");
+  command->add_option("file", *file, kMapFile)->required();
+  return {command, [file] {
+            std::cout << map_tool::restore(*file);
+            return 0;
+          }};
+}
+
 Verb add_rename(CLI::App& group) {
   auto words = std::make_shared<std::vector<std::string>>(3);
   CLI::App* command =
@@ -102,8 +112,8 @@ Verb add_rename(CLI::App& group) {
 Verb add_map(CLI::App& app) {
   CLI::App* group = app.add_subcommand("map", "Look at a map file, check it, find ways in it, export it");
   group->require_subcommand(1);
-  const std::vector<Verb> verbs{add_show(*group),  add_export(*group), add_route(*group),
-                                add_check(*group), add_rename(*group), add_merge(*group)};
+  const std::vector<Verb> verbs{add_show(*group),   add_export(*group),  add_route(*group), add_check(*group),
+                                add_rename(*group), add_restore(*group), add_merge(*group)};
   return {group, [verbs] {
             for (const Verb& verb : verbs)
               if (verb.command->parsed()) return verb.run();
