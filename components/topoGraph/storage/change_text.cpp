@@ -61,9 +61,10 @@ void read_kept(const YamlValue& value, MapChange& change) {
 }  // namespace
 
 std::string to_yaml(const MapChange& change) {
-  std::string out = "changes: " + std::to_string(change.version) +
-                    "\nstamp_ns: " + std::to_string(change.stamp_ns) + "\n";
-  out += items_text("rooms", change.rooms, map_text::room) + items_text("doors", change.doors, map_text::door) +
+  std::string out =
+      "changes: " + std::to_string(change.version) + "\nstamp_ns: " + std::to_string(change.stamp_ns) + "\n";
+  out += items_text("rooms", change.rooms, map_text::room) +
+         items_text("doors", change.doors, map_text::door) +
          items_text("places", change.places, map_text::place) + kept_text(change);
   if (!change.links.added.empty()) out += map_text::section("links", change.links.added, map_text::link);
   Session session = change.session;

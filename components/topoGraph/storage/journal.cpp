@@ -87,8 +87,8 @@ bool closes(std::string_view rest, std::uint64_t number) {
   return at != std::string_view::npos && rest.find('\n', at + 1) != std::string_view::npos;
 }
 
-/// Whether the rest of a journal is what a crash leaves of one record: cut short, or with holes of zeros where
-/// it was not written to the disk. All else is damage.
+/// Whether the rest of a journal is what a crash leaves of one record: cut short, or with holes of zeros
+/// where it was not written to the disk. All else is damage.
 bool is_torn(std::string_view rest, std::uint64_t number) {
   if (closes(rest, number + 1)) return false;
   if (rest.find('\0') != std::string_view::npos || rest.find('\n') == std::string_view::npos) return true;
@@ -102,7 +102,8 @@ std::optional<JournalRecord> find_record(std::string_view rest, std::uint64_t nu
   const auto frame = find_frame(rest, number);
   if (!frame || rest.size() < frame->bytes) return std::nullopt;
   const std::string_view text = rest.substr(frame->text_at, frame->text_bytes);
-  if (!rest.substr(frame->text_at + frame->text_bytes).starts_with(closing(number, text))) return std::nullopt;
+  if (!rest.substr(frame->text_at + frame->text_bytes).starts_with(closing(number, text)))
+    return std::nullopt;
   return JournalRecord{number, 1, std::string(text)};
 }
 

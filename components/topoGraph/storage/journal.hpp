@@ -56,8 +56,8 @@ std::string journal_record(std::uint64_t number, std::string_view change);
 /// Throws MapFileError where the header cannot be used.
 Journal parse_journal(const std::string& text, const std::string& name);
 
-/// Applies the records, one after the other, as far as they can be used. The file must be what they go on from.
-/// Returns what is wrong with the next one.
+/// Applies the records, one after the other, as far as they can be used. The file must be what they go on
+/// from. Returns what is wrong with the next one.
 std::optional<std::string> replay(const Journal& journal, MapFile& file);
 
 }  // namespace enfilade::topo_graph

@@ -38,8 +38,10 @@ Problem problem_of(const Session& session, const TopologicalMap& map) {
   if (auto problem = zone.via_door ? missing_door(*zone.via_door, map) : std::nullopt) return problem;
   for (const LoopClosure& closure : session.closures)
     if (auto problem = problem_of(closure, map)) return problem;
-  if (!map.rooms.empty() && session.last_room < map.rooms.back().id) return "last_room is less than an id in use";
-  if (!map.doors.empty() && session.last_door < map.doors.back().id) return "last_door is less than an id in use";
+  if (!map.rooms.empty() && session.last_room < map.rooms.back().id)
+    return "last_room is less than an id in use";
+  if (!map.doors.empty() && session.last_door < map.doors.back().id)
+    return "last_door is less than an id in use";
   return std::nullopt;
 }
 

@@ -16,8 +16,8 @@ std::optional<MapFile> find_last_good(const std::filesystem::path& path);
 /// " (…)" where there is one; else nothing.
 std::string offer_last_good(const std::filesystem::path& path);
 
-/// Writes the last good map in place of the damaged one, which stays, with its journal, as "<path>.damaged". Throws MapFileError
-/// where the map is not damaged, or there is no good one.
+/// Writes the last good map in place of the damaged one, which stays, with its journal, as "<path>.damaged".
+/// Throws MapFileError where the map is not damaged, or there is no good one.
 MapFile restore_last_good(const std::filesystem::path& path);
 
 }  // namespace enfilade::topo_graph

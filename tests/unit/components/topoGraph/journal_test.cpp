@@ -107,7 +107,9 @@ TEST(Journal, LeavesOutALastRecordWithHoles) {
 
 TEST(Journal, WithAnyChangedByteIsRefusedOrMeansTheSame) {
   const JournalTexts texts = make_texts(2, 2);
-  const std::string odd("\n9#-: \xff""a");
+  const std::string odd(
+      "\n9#-: \xff"
+      "a");
   for (std::size_t at = 0; at < texts.journal.size(); at += step_near(texts, at)) {
     std::string bad = texts.journal;
     bad[at] = odd[at % odd.size()];
@@ -124,10 +126,12 @@ TEST(Journal, WithAnyChangedByteIsRefusedOrMeansTheSame) {
 
 TEST(Journal, NamesTheLineOfTheDamagedRecord) {
   JournalTexts texts = make_texts(3, 3);
-  const auto line = 1 + std::count(texts.journal.begin(), texts.journal.begin() + static_cast<std::ptrdiff_t>(texts.ends[1]), '\n');
+  const auto line = 1 + std::count(texts.journal.begin(),
+                                   texts.journal.begin() + static_cast<std::ptrdiff_t>(texts.ends[1]), '\n');
   ++texts.journal[texts.ends[1] + 40];
   const std::string error = error_of(texts, texts.journal);
-  EXPECT_TRUE(error.starts_with("map.yaml.journal:" + std::to_string(line) + ": record 59 is damaged")) << error;
+  EXPECT_TRUE(error.starts_with("map.yaml.journal:" + std::to_string(line) + ": record 59 is damaged"))
+      << error;
 }
 
 TEST(Journal, WithoutOneOfItsRecordsIsRefused) {

@@ -43,16 +43,24 @@ class RandomState {
     TopologicalMap& map = state_.map;
     if (map.rooms.empty() || below(4) == 0) return add_room();
     switch (below(9)) {
-      case 0: return remove_room();
-      case 1: return move_room(any_of(map.rooms));
-      case 2: return add_door();
-      case 3: return map.doors.empty() ? add_door() : change_door(any_of(map.doors));
-      case 4: return add_link();
+      case 0:
+        return remove_room();
+      case 1:
+        return move_room(any_of(map.rooms));
+      case 2:
+        return add_door();
+      case 3:
+        return map.doors.empty() ? add_door() : change_door(any_of(map.doors));
+      case 4:
+        return add_link();
       case 5:
         return map.links.empty() ? add_link() : drop_one(map.links);
-      case 6: return add_closure();
-      case 7: return add_place();
-      default: return answer();
+      case 6:
+        return add_closure();
+      case 7:
+        return add_place();
+      default:
+        return answer();
     }
   }
 
