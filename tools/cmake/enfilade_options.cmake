@@ -9,6 +9,7 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 
 option(ENFILADE_WERROR "Treat warnings as errors" OFF)
 set(ENFILADE_SANITIZE "" CACHE STRING "Sanitizers to build with, e.g. 'address,undefined' or 'thread'")
+option(ENFILADE_FUZZ "Build the fuzz targets; needs clang" OFF)
 option(ENFILADE_COVERAGE "Instrument for gcov" OFF)
 option(ENFILADE_PCH "Precompile the headers that nearly every file includes; off, each file shows that it includes what it uses" ON)
 

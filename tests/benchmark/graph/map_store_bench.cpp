@@ -79,8 +79,7 @@ void write_whole_map(benchmark::State& state) {
   const ScratchFolder folder;
   const TopoState after = row_of_rooms(static_cast<RoomId>(state.range(0)) + 1);
   CountingDisk disk;
-  for (auto _ : state)
-    write_map_file(folder.path() / "map.yaml", to_yaml({after.map, after.session}), disk);
+  for (auto _ : state) write_map_file(folder.path() / "map.yaml", to_yaml({after.map, after.session}), disk);
   report(state, disk);
 }
 
@@ -92,7 +91,12 @@ void open_map_file(benchmark::State& state) {
 }
 
 constexpr auto in_milliseconds = benchmark::kMillisecond;
-BENCHMARK(keep_in_journal)->Name("KeepChange/journal")->Arg(100)->Arg(1000)->Arg(10000)->Unit(in_milliseconds);
+BENCHMARK(keep_in_journal)
+    ->Name("KeepChange/journal")
+    ->Arg(100)
+    ->Arg(1000)
+    ->Arg(10000)
+    ->Unit(in_milliseconds);
 BENCHMARK(write_whole_map)->Name("KeepChange/whole")->Arg(100)->Arg(1000)->Arg(10000)->Unit(in_milliseconds);
 BENCHMARK(open_map_file)->Name("OpenMap")->Arg(100)->Arg(1000)->Arg(10000)->Unit(in_milliseconds);
 
