@@ -11,9 +11,9 @@
 namespace enfilade::room_detector {
 namespace {
 
-constexpr int kJointIterations = 6;
-constexpr double kLeastSigma_m = 0.003;  // of one return; a perfect simulation would make it zero
-constexpr double kTogether_m = 0.06;     // walls of aligned stands lie so near
+constexpr int kJointIterations = 6, kBiasIterations = 4;
+constexpr double kNearWalls_m = 0.15;  // what a bias could bring to a wall, or take from it
+constexpr double kTogether_m = 0.06;   // walls of aligned stands lie so near
 
 using Vector = Eigen::VectorXd;
 using Matrix = Eigen::MatrixXd;
@@ -41,54 +41,70 @@ std::vector<WallPoint> corrected(const StandPoints& stand, const Pose2& correcti
 /// Unknowns: δα, δo_0 … δo_3 of the rectangle, then (δx, δy, δψ) of each stand but the first, about itself.
 int first_unknown(std::size_t stand) { return 5 + 3 * (static_cast<int>(stand) - 1); }
 
-/// Normal equations N x = b, and what a range bias of 1 m adds to b.
+/// Normal equations N x = b, what a range bias of 1 m adds to b, and the covariance of b in units of that of
+/// one return.
 struct System {
   Matrix normal;
   Vector rhs, per_bias;
+  Matrix noise;
   std::array<double, 4> support{};
-  double weight = 0.0, squares = 0.0;
+  double weight = 0.0, squares = 0.0;  ///< Σ w and Σ w ρ² of the residuals
+  double variance = 0.0;               ///< of one return
+
+  explicit System(int unknowns)
+      : normal(Matrix::Zero(unknowns, unknowns)),
+        rhs(Vector::Zero(unknowns)),
+        per_bias(Vector::Zero(unknowns)),
+        noise(Matrix::Zero(unknowns, unknowns)) {}
 };
 
 void add_stand(System& s, const StandPoints& stand, const Pose2& correction, std::size_t index,
                const Rectangle& r, const RectangleFitConfig& config) {
   const Point2 base = correction * stand.T_zone_base.translation();
   const int first = index > 0 ? first_unknown(index) : 5;
-  Eigen::Matrix<double, 8, 8> normal = Eigen::Matrix<double, 8, 8>::Zero();
+  Eigen::Matrix<double, 8, 8> normal = Eigen::Matrix<double, 8, 8>::Zero(), noise = normal;
   Eigen::Matrix<double, 8, 1> rhs = Eigen::Matrix<double, 8, 1>::Zero(), per_bias = rhs;
   for (const WallPoint& point : stand.points) {
     const Point2 q = correction * point.position;
     const WallSight sight = sight_of(q, r, config.last_gate_m, config.corner_m);
     if (sight.wall < 0) continue;
-    const double w = point.weight * tukey(sight.residual_m, config.last_gate_m);
+    const double share = tukey(sight.residual_m, config.last_gate_m), w = point.weight * share;
     const Point2 n = r.normal(sight.wall);
     Eigen::Matrix<double, 8, 1> j = Eigen::Matrix<double, 8, 1>::Zero();
     j[0] = sight.along_m;
     j[1 + sight.wall] = -1.0;
     if (index > 0) j.tail<3>() << n.x(), n.y(), n.dot(left_of(q - base));
     normal += w * j * j.transpose();
+    const double along_beam = n.dot(rotate(correction.yaw_rad, point.per_range));
+    const double slant = point.per_range.isZero() ? 1.0 : along_beam * along_beam;
+    noise += w * share * slant * j * j.transpose();
     rhs -= w * sight.residual_m * j;
-    per_bias -= w * n.dot(rotate(correction.yaw_rad, point.per_range)) * j;
+    per_bias -= w * along_beam * j;
     s.support[static_cast<std::size_t>(sight.wall)] += point.weight;
     s.weight += w;
     s.squares += w * sight.residual_m * sight.residual_m;
   }
-  const auto place = [&](auto&& to, const auto& from) { to += from; };
-  place(s.normal.topLeftCorner<5, 5>(), normal.topLeftCorner<5, 5>());
-  place(s.rhs.head<5>(), rhs.head<5>());
-  place(s.per_bias.head<5>(), per_bias.head<5>());
+  const auto place = [&](Matrix& to, const Eigen::Matrix<double, 8, 8>& from) {
+    to.topLeftCorner<5, 5>() += from.topLeftCorner<5, 5>();
+    if (index == 0) return;
+    to.block<3, 3>(first, first) += from.bottomRightCorner<3, 3>();
+    to.block<5, 3>(0, first) += from.topRightCorner<5, 3>();
+    to.block<3, 5>(first, 0) += from.bottomLeftCorner<3, 5>();
+  };
+  place(s.normal, normal);
+  place(s.noise, noise);
+  s.rhs.head<5>() += rhs.head<5>();
+  s.per_bias.head<5>() += per_bias.head<5>();
   if (index == 0) return;
-  place(s.normal.block<3, 3>(first, first), normal.bottomRightCorner<3, 3>());
-  place(s.normal.block<5, 3>(0, first), normal.topRightCorner<5, 3>());
-  place(s.normal.block<3, 5>(first, 0), normal.bottomLeftCorner<3, 5>());
-  place(s.rhs.segment<3>(first), rhs.tail<3>());
-  place(s.per_bias.segment<3>(first), per_bias.tail<3>());
+  s.rhs.segment<3>(first) += rhs.tail<3>();
+  s.per_bias.segment<3>(first) += per_bias.tail<3>();
 }
 
 /// What odometry says: from stand to stand the corrections change little.
 void add_motion(System& s, std::span<const StandPoints> stands, const std::vector<Pose2>& corrections,
-                double variance, const JointFitConfig& config) {
-  const double shift_weight = variance / (config.motion_sigma_m * config.motion_sigma_m);
-  const double turn_weight = variance / std::pow(radians(config.motion_sigma_deg), 2);
+                const JointFitConfig& config) {
+  const double shift_weight = s.variance / (config.motion_sigma_m * config.motion_sigma_m);
+  const double turn_weight = s.variance / std::pow(radians(config.motion_sigma_deg), 2);
   for (std::size_t k = 1; k < stands.size(); ++k) {
     const Point2 here = stands[k].T_zone_base.translation();
     const Point2 way = here - stands[k - 1].T_zone_base.translation();
@@ -112,6 +128,33 @@ void add_motion(System& s, std::span<const StandPoints> stands, const std::vecto
   }
 }
 
+/// The points near the walls, with what a laser adds that measures `bias_m` too much taken off again.
+std::vector<StandPoints> without_bias(std::span<const StandPoints> stands,
+                                      const std::vector<Pose2>& corrections, const Rectangle& r,
+                                      double bias_m) {
+  std::vector<StandPoints> out;
+  for (std::size_t k = 0; k < stands.size(); ++k) {
+    StandPoints& stand = out.emplace_back(stands[k].T_zone_base, std::vector<WallPoint>{});
+    for (WallPoint point : stands[k].points) {
+      if (sight_of(corrections[k] * point.position, r, kNearWalls_m, 0.0).wall < 0) continue;
+      point.position -= bias_m * point.per_range;
+      stand.points.push_back(point);
+    }
+  }
+  return out;
+}
+
+/// The step that moves `a` to `b`, which is almost the same.
+WallStep step_between(const Rectangle& a, const Rectangle& b) {
+  WallStep step;
+  step[0] = wrap_to_pi(b.yaw_rad - a.yaw_rad);
+  for (int wall = 0; wall < 4; ++wall) {
+    const double shift = Point2(b.x_m - a.x_m, b.y_m - a.y_m).dot(b.normal(wall));
+    step[1 + wall] = shift + 0.5 * (b.wall_length_m(wall + 1) - a.wall_length_m(wall + 1));
+  }
+  return step;
+}
+
 }  // namespace
 
 struct JointFitter::Problem {
@@ -120,19 +163,29 @@ struct JointFitter::Problem {
 
   System system(std::span<const StandPoints> stands, const JointFitConfig& config,
                 const RectangleFitConfig& fit) const {
-    const int unknowns = 5 + 3 * (static_cast<int>(stands.size()) - 1);
-    System s{Matrix::Zero(unknowns, unknowns), Vector::Zero(unknowns), Vector::Zero(unknowns)};
+    System s(5 + 3 * (static_cast<int>(stands.size()) - 1));
     for (std::size_t k = 0; k < stands.size(); ++k)
       add_stand(s, stands[k], corrections[k], k, rectangle, fit);
-    const double variance =
-        std::max(kLeastSigma_m * kLeastSigma_m, s.weight > 0 ? s.squares / s.weight : 0.0);
-    add_motion(s, stands, corrections, variance, config);
+    // The points are means of returns: what they scatter by is the least that a single one may.
+    s.variance =
+        std::max(config.range_sigma_m * config.range_sigma_m, s.weight > 0 ? s.squares / s.weight : 0.0);
+    const Matrix of_returns = s.normal;
+    add_motion(s, stands, corrections, config);
     for (int wall = 0; wall < 4; ++wall) {  // not seen: known to a metre
       const bool is_seen = s.support[static_cast<std::size_t>(wall)] >= fit.min_wall_weight;
-      s.normal(1 + wall, 1 + wall) += is_seen ? variance : 1e9;
+      s.normal(1 + wall, 1 + wall) += is_seen ? s.variance : 1e9;
     }
-    s.normal(0, 0) += variance;
+    s.normal(0, 0) += s.variance;
+    s.noise += s.normal - of_returns;
     return s;
+  }
+
+  void solve(std::span<const StandPoints> stands, const JointFitConfig& config, const RectangleFitConfig& fit,
+             int iterations) {
+    for (int i = 0; i < iterations; ++i) {
+      const System s = system(stands, config, fit);
+      step(stands, s.normal.ldlt().solve(s.rhs));
+    }
   }
 
   void step(std::span<const StandPoints> stands, const Vector& x) {
@@ -171,32 +224,47 @@ std::optional<JointFit> JointFitter::fit(std::span<const StandPoints> stands, co
   if (first) problem.rectangle = first->rectangle;
   if (!first && stands.size() == 1) return std::nullopt;
   align(stands, problem);
-  System s;
-  for (int i = 0; i < kJointIterations; ++i) {
-    s = problem.system(stands, config_, fit_config_);
-    problem.step(stands, s.normal.ldlt().solve(s.rhs));
-  }
-  s = problem.system(stands, config_, fit_config_);
+  problem.solve(stands, config_, fit_config_, kJointIterations);
+  const System s = problem.system(stands, config_, fit_config_);
   if (!(s.weight > 0.0)) return std::nullopt;
 
   JointFit result{{.rectangle = problem.rectangle, .support = s.support}, problem.corrections};
   result.room.rms_m = std::sqrt(s.squares / s.weight);
-  const double variance = std::max(kLeastSigma_m * kLeastSigma_m, s.squares / s.weight);
   const auto solver = s.normal.ldlt();
   const Matrix inverse = solver.solve(Matrix::Identity(s.normal.rows(), s.normal.rows()));
   const WallStep per_bias = solver.solve(s.per_bias).head<5>();
-  WallMatrix steps = variance * inverse.topLeftCorner<5, 5>();
+  WallMatrix steps = s.variance * (inverse * s.noise * inverse).topLeftCorner<5, 5>();
   for (int wall = 0; wall < 4; ++wall) {
     const bool is_seen = s.support[static_cast<std::size_t>(wall)] >= fit_config_.min_wall_weight;
     steps(1 + wall, 1 + wall) += is_seen ? config_.wall_sigma_m * config_.wall_sigma_m : 1.0;
   }
   const double longest = std::max(problem.rectangle.width_m, problem.rectangle.height_m);
   steps(0, 0) += std::pow(config_.wall_sigma_m / longest, 2);
-  steps += config_.range_bias_sigma_m * config_.range_bias_sigma_m * per_bias * per_bias.transpose();
+  if (config_.range_bias_sigma_m > 0.0) steps += spread_by_bias(stands, problem, per_bias);
   const WallMatrix m = parameters_by_step(problem.rectangle);
   result.room.per_range_bias = m * per_bias;
   result.room.covariance = m * steps * m.transpose();
   return result;
+}
+
+/// With the bias b spread evenly over ±a, the step e it makes is g b while it is small; far from zero, walls
+/// seen at a slant bend by it so that the robust weights change. e(±a) is found by taking the bias off the
+/// points and solving again: e(t a) = G t + H t² + K t³ with G = g a, and E[e eᵀ] follows from those of t²,
+/// t⁴, t⁶.
+WallMatrix JointFitter::spread_by_bias(std::span<const StandPoints> stands, const Problem& problem,
+                                       const WallStep& per_bias) const {
+  const double most_m = std::sqrt(3.0) * config_.range_bias_sigma_m;
+  const auto step_at = [&](double bias_m) -> WallStep {
+    const auto points = without_bias(stands, problem.corrections, problem.rectangle, bias_m);
+    Problem unbiased = problem;
+    unbiased.rectangle = moved(problem.rectangle, -bias_m * per_bias);
+    unbiased.solve(points, config_, fit_config_, kBiasIterations);
+    return -step_between(problem.rectangle, unbiased.rectangle);
+  };
+  const WallStep longer = step_at(most_m), shorter = step_at(-most_m), G = most_m * per_bias;
+  const WallStep H = 0.5 * (longer + shorter), K = 0.5 * (longer - shorter) - G;
+  return G * G.transpose() / 3.0 + (H * H.transpose() + G * K.transpose() + K * G.transpose()) / 5.0 +
+         K * K.transpose() / 7.0;
 }
 
 }  // namespace enfilade::room_detector

@@ -59,9 +59,10 @@ void RoomDetector::add_hits(const ScanHits& hits) { stands_.add(hits, map_.resol
 Detection RoomDetector::estimate(const std::optional<Pose2>& T_zone_base) {
   Detection d;
   const WallBand band = choose_wall_band(map_, config_.band);
-  const HoughSpace& space = votes_.update(map_, band, origin_near(T_zone_base));  // eq. 1–3, steps 1 and 2
   const auto robot = T_zone_base ? std::optional(T_zone_base->translation()) : std::nullopt;
-  const auto best = search_.find_best(space, robot);  // eq. 5–9, step 3
+  const HoughSpace& space =
+      votes_.update(map_, band, origin_near(T_zone_base), robot);  // eq. 1–3, steps 1, 2
+  const auto best = search_.find_best(space, robot);               // eq. 5–9, step 3
   if (!best || best->score <= 0 || !is_closed(*best)) return d;
   d.diagnostics = {
       .above_furniture = band.above_furniture, .search = *best, .coarse = space.rectangle(best->rectangle)};

@@ -12,32 +12,35 @@ namespace {
 // by the same few beams and count as one observation.
 const double kNatsPerWallColumn = std::log(0.95 / 0.05);
 
+constexpr int kSample = 4;  // one column of so many by so many speaks for the free space about it
+
 bool is_wall_like(int occupied) { return occupied >= 2; }
+bool is_sample(const Column& column) { return column.x % kSample == 0 && column.y % kSample == 0; }
 
 }  // namespace
 
 WallVotes::WallVotes(const WallVotesConfig& config, const HoughConfig& hough)
     : config_(config), hough_(hough) {}
 
-const HoughSpace& WallVotes::update(ColumnMap& map, const WallBand& band, const Point2& origin) {
+const HoughSpace& WallVotes::update(ColumnMap& map, const WallBand& band, const Point2& origin,
+                                    const std::optional<Point2>& robot) {
   const auto changed = map.take_changed();
   const bool is_same_space = space_ && space_->origin() == origin && band == band_;
-  if (!space_ || band != band_) {
-    counted_.assign(map.columns().size(), 0);
-    wall_cells_ = wall_columns_ = 0;
-    levels_ = band.levels();
-    for (std::size_t i = 0; i < map.columns().size(); ++i) count(i, map.columns()[i]);
+  if (!is_same_space) {
+    band_ = band;
+    space_.emplace(hough_, origin, map.resolution_m());
+    connected_.emplace(map.resolution_m(), origin, hough_.range_m);
+    count_all(map);
   } else {
     for (const std::size_t i : changed) count(i, map.columns()[i]);
   }
+  if (weighs_evidence()) follow_connections(map, robot);
   const int ordinary = wall_columns_ > 0 ? (wall_cells_ + wall_columns_ / 2) / wall_columns_ : 1;
   if (is_same_space && ordinary == ordinary_) {
-    for (const std::size_t i : changed) space_->set(i, vote_of(map, map.columns()[i]));
+    for (const std::size_t i : changed) set_vote(map, i);
   } else {
-    band_ = band;
     ordinary_ = ordinary;
-    if (!is_same_space) space_.emplace(hough_, origin, map.resolution_m());
-    for (std::size_t i = 0; i < map.columns().size(); ++i) space_->set(i, vote_of(map, map.columns()[i]));
+    for (std::size_t i = 0; i < map.columns().size(); ++i) set_vote(map, i);
   }
   space_->set_penalties(penalties(map.resolution_m()));
   return *space_;
@@ -47,26 +50,63 @@ double WallVotes::unit() const {
   return weighs_evidence() ? per_cell() * ordinary_ / kNatsPerWallColumn : per_cell();
 }
 
+void WallVotes::count_all(const ColumnMap& map) {
+  counted_.clear();
+  samples_.clear();
+  wall_cells_ = wall_columns_ = 0;
+  levels_ = band_.levels();
+  for (std::size_t i = 0; i < map.columns().size(); ++i) count(i, map.columns()[i]);
+}
+
 /// Keeps the mean number of occupied cells in a column of wall: all of the band where the sensor has looked
 /// everywhere, few in a coarse scan or far away. What speaks for a wall shrinks with them, and so must what
 /// speaks against one.
 void WallVotes::count(std::size_t index, const Column& column) {
-  if (index >= counted_.size()) counted_.resize(index + 1, 0);
+  if (index >= counted_.size()) {
+    counted_.resize(index + 1);
+    if (is_sample(column)) samples_.push_back(index);
+  }
+  Counted& known = counted_[index];
   const int occupied = static_cast<int>((column.occupied & levels_).count());
-  const int before = counted_[index], now = is_wall_like(occupied) ? occupied : 0;
-  wall_cells_ += now - before;
-  wall_columns_ += (now > 0) - (before > 0);
-  counted_[index] = static_cast<std::int16_t>(now);
+  const int now = is_wall_like(occupied) ? occupied : 0;
+  wall_cells_ += now - known.wall_cells;
+  wall_columns_ += (now > 0) - (known.wall_cells > 0);
+  known.wall_cells = static_cast<std::int16_t>(now);
+  using Kind = ConnectedSpace::Kind;
+  const bool is_open = occupied == 0 && (column.free & levels_).any();
+  const Kind kind = now > 0 ? Kind::kWall : is_open ? Kind::kOpen : Kind::kUnknown;
+  connected_->change(column.x, column.y, known.kind, kind);
+  known.kind = kind;
 }
 
-Vote WallVotes::vote_of(const ColumnMap& map, const Column& column) const {
+void WallVotes::follow_connections(const ColumnMap& map, const std::optional<Point2>& robot) {
+  if (!robot) return;
+  connected_->flood(*robot);
+  for (const std::size_t i : samples_) {
+    const Column& column = map.columns()[i];
+    const bool is_apart = connected_->is_apart(column.x, column.y);
+    if (is_apart == counted_[i].is_apart) continue;
+    counted_[i].is_apart = is_apart;
+    set_vote(map, i);
+  }
+}
+
+void WallVotes::set_vote(const ColumnMap& map, std::size_t index) {
+  const Column& column = map.columns()[index];
   const int occupied = static_cast<int>((column.occupied & levels_).count());
   Vote vote{map.centre(column), per_cell() * occupied, 0, 0};
-  if (!weighs_evidence()) return vote;
-  vote.free = per_cell() * std::min(ordinary_, static_cast<int>((column.free & levels_).count()));
-  if (is_wall_like(occupied))
-    vote.interior = static_cast<int>(std::lround(config_.interior_share * per_cell() * ordinary_));
-  return vote;
+  if (weighs_evidence()) {
+    vote.free = per_cell() * std::min(ordinary_, static_cast<int>((column.free & levels_).count()));
+    const double of_wall = per_cell() * ordinary_;
+    if (is_wall_like(occupied))
+      vote.interior = static_cast<int>(std::lround(config_.interior_share * of_wall));
+    if (counted_[index].is_apart) {
+      const double area_m2 = std::pow(kSample * map.resolution_m(), 2);
+      vote.interior +=
+          static_cast<int>(std::lround(config_.apart_share * of_wall * area_m2 / map.resolution_m()));
+    }
+  }
+  space_->set(index, vote);
 }
 
 Penalties WallVotes::penalties(double resolution_m) const {

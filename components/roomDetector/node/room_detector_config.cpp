@@ -23,6 +23,7 @@ void bind(ConfigBinder& c, WallVotesConfig& votes) {
   c.choice("score", votes.score, {{"paper", Score::kPaper}, {"evidence", Score::kEvidence}});
   c.number("free_weight", votes.free_weight, 0.0, 4.0);
   c.number("interior_share", votes.interior_share, 0.0, 10.0);
+  c.number("apart_share", votes.apart_share, 0.0, 10.0);
   c.number("toll_share", votes.toll_share, 0.0, 1.0);
   c.number("contour_margin_m", votes.contour_margin_m, 0.0, 1.0);
 }
@@ -50,6 +51,7 @@ void bind(ConfigBinder& c, JointFitConfig& joint) {
   c.number("motion_sigma_m", joint.motion_sigma_m, 0.0001, 1.0);
   c.number("motion_sigma_deg", joint.motion_sigma_deg, 0.001, 30.0);
   c.number("reach_m", joint.reach_m, 0.02, 1.0);
+  c.number("range_sigma_m", joint.range_sigma_m, 0.0001, 0.2);
   c.number("range_bias_sigma_m", joint.range_bias_sigma_m, 0.0, 0.2);
   c.number("wall_sigma_m", joint.wall_sigma_m, 0.0, 0.1);
 }

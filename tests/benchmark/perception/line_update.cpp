@@ -49,7 +49,7 @@ void streaming(benchmark::State& state) {
       for (const Stream::Line& line : stream.lines) {
         times.measure(input++, [&] {
           map.apply(line.change.cells);
-          const HoughSpace& space = votes.update(map, choose_wall_band(map, {}), origin);
+          const HoughSpace& space = votes.update(map, choose_wall_band(map, {}), origin, line.robot);
           const auto found = search.find_best(space, line.robot);
           gaps += found && found->gap > 0;
         });

@@ -67,7 +67,7 @@ SearchInput search_input(ColumnMap& map, const WallBand& band, Score score, cons
                          const Point2& robot) {
   WallVotes votes({.score = score}, hough);
   const Point2 origin(std::round(robot.x()), std::round(robot.y()));
-  const HoughSpace& space = votes.update(map, band, origin);
+  const HoughSpace& space = votes.update(map, band, origin, robot);
   std::vector<Vote> telling;
   for (const Vote& vote : space.votes()) {
     if (vote.occupied + vote.free + vote.interior > 0) telling.push_back(vote);

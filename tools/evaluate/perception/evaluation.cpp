@@ -5,6 +5,7 @@
 #include <chrono>
 #include <functional>
 
+#include "tools/evaluate/perception/in_parallel.hpp"
 #include "tools/evaluate/perception/range_calibration.hpp"
 
 namespace enfilade::evaluate {
@@ -21,10 +22,12 @@ struct Both {
   Answers paper, evidence;
 };
 
+/// In the order of the rooms, whichever was ready first.
 Both run_all(int rooms, const std::function<TrialConfig(int)>& config_of) {
+  std::vector<TrialResult> results(static_cast<std::size_t>(rooms));
+  in_parallel(rooms, [&](int i) { results[static_cast<std::size_t>(i)] = run_trial(config_of(i)); });
   Both all;
-  for (int i = 0; i < rooms; ++i) {
-    TrialResult result = run_trial(config_of(i));
+  for (TrialResult& result : results) {
     all.paper.push_back(std::move(result.paper));
     all.evidence.push_back(std::move(result.evidence));
   }
@@ -142,7 +145,7 @@ class Experiment {
 
   void hard(PerceptionReport& report, const std::string& name,
             const std::function<void(TrialConfig&, int)>& change) const {
-    const int rooms = std::max(1, config_.rooms / 12);
+    const int rooms = std::max(1, config_.rooms / 10);
     const Both all = run_all(rooms, [&](int i) {
       TrialConfig t = trial(i);
       change(t, i);

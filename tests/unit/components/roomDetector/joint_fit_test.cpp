@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
 namespace enfilade::room_detector {
@@ -54,7 +55,27 @@ TEST(JointFit, TellsHowARangeBiasMovesTheWalls) {
   const JointFit plain = at(0.0), longer = at(0.01);
   EXPECT_NEAR(longer.room.rectangle.width_m - plain.room.rectangle.width_m,
               0.01 * plain.room.per_range_bias[3], 0.0005);
-  EXPECT_GT(plain.room.covariance(3, 3), std::pow(0.017 * plain.room.per_range_bias[3], 2));
+  EXPECT_NEAR(std::sqrt(plain.room.covariance(3, 3)), 0.017 * plain.room.per_range_bias[3], 0.0005);
+}
+
+TEST(JointFit, CovarianceIsThatOfTheErrorsOverManyMeasurements) {
+  const Pose2 at{0.5, 0.3, 0.5};
+  RectangleFitConfig fit;
+  JointFitConfig joint{.range_bias_sigma_m = 0.0, .wall_sigma_m = 0.0};
+  joint.range_sigma_m = 0.03;  // the points below are means of nine returns
+  double nees = 0.0;
+  constexpr int kMeasurements = 200;
+  for (int i = 0; i < kMeasurements; ++i) {
+    const auto found =
+        JointFitter(joint, fit).fit(std::vector{seen_from(at, at, 0.0, 100u + i)}, kJointRoom, 0.075);
+    ASSERT_TRUE(found);
+    const Rectangle& r = found->room.rectangle;
+    Eigen::Matrix<double, 5, 1> e;
+    e << r.yaw_rad - kJointRoom.yaw_rad, r.x_m - kJointRoom.x_m, r.y_m - kJointRoom.y_m,
+        r.width_m - kJointRoom.width_m, r.height_m - kJointRoom.height_m;
+    nees += e.dot(found->room.covariance.ldlt().solve(e)) / kMeasurements;
+  }
+  EXPECT_NEAR(nees, 5.0, 3.0 * std::sqrt(10.0 / kMeasurements)) << "χ² of five degrees of freedom";
 }
 
 TEST(JointFit, KnowsNothingOfAWallThatWasNotSeen) {

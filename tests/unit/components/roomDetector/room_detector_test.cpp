@@ -147,6 +147,41 @@ TEST(RoomDetector, FindsMostFurnishedRoomsAfterTwoSweeps) {
   EXPECT_LE(edge_errors_m.at(edge_errors_m.size() / 2), 0.005);
 }
 
+/// Two rooms of the same width in one, 8 m long: a wall across it with a door, and lintel above that.
+test::SimRoom two_rooms_in_line() {
+  return test::RoomBuilder(8.0, 3.2, 2.6)
+      .box(-0.1, -1.6, 0.1, -0.2, 2.6)
+      .box(-0.1, 0.7, 0.1, 1.6, 2.6)
+      .box(-0.1, -0.2, 0.1, 0.7, 2.6, 2.03)
+      .build();
+}
+
+TEST(RoomDetector, StaysInItsRoomWhereTheWallsGoOnBehindTheDoor) {
+  const auto both = two_rooms_in_line();
+  RoomDetector detector({});
+  test::SimGrid grid(0.05);
+  detector.clear(0.05);
+  const Pose2 stands[] = {{-2.1, 0.2, 0.4}, {-2.1, 0.2, 2.0}, {2.0, -0.1, 0.4}, {2.0, -0.1, 2.0}};
+  for (const Pose2& stand : stands) {
+    for (const ScanHits& line : grid.sweep(both, stand, kCoarse)) detector.add_hits(line);
+  }
+  detector.update(grid.changes());
+  const auto d = detector.estimate(stands[3]);
+  ASSERT_TRUE(d.estimate.found);
+  EXPECT_GT(iou(d.estimate.rectangle, {0.0, 2.05, 0.0, 3.9, 3.2}), 0.95);
+}
+
+TEST(RoomDetector, FindsTheWallBehindCupboardsUpToTheCeiling) {
+  const auto room = test::RoomBuilder(4.2, 3.6, 2.6)
+                        .box(1.5, -1.8, 2.1, -0.6, 2.55)
+                        .box(1.5, 0.9, 2.1, 1.8, 2.55)
+                        .box(-1.2, 1.2, 0.4, 1.8, 2.5)
+                        .build();
+  const auto d = detect(room, 2);
+  ASSERT_TRUE(d.estimate.found);
+  EXPECT_GT(iou(d.estimate.rectangle, room.rectangle()), 0.97);
+}
+
 TEST(RoomDetector, FindsNoRoomInACorridorWithoutEnds) {
   const auto corridor = test::RoomBuilder(40.0, 2.4, 2.9).build();
   EXPECT_FALSE(detect(corridor, 2).estimate.found);

@@ -65,8 +65,8 @@ class RoomBuilder {
     openings_.push_back({{static_cast<std::uint8_t>(wall), from_m, to_m}, 0.9, 2.0});
     return *this;
   }
-  RoomBuilder& box(double x0, double y0, double x1, double y1, double top_m) {
-    room_.boxes.push_back({{x0, y0, 0.0}, {x1, y1, top_m}});
+  RoomBuilder& box(double x0, double y0, double x1, double y1, double top_m, double bottom_m = 0.0) {
+    room_.boxes.push_back({{x0, y0, bottom_m}, {x1, y1, top_m}});
     return *this;
   }
 
