@@ -39,7 +39,9 @@ JournalBase read_header(const std::string& text, const std::string& name) {
   const YamlValue version = map.take("version");
   if (version.text() != std::to_string(names::kJournalVersion))
     version.fail("this program reads version " + std::to_string(names::kJournalVersion) + " only");
-  YamlMap continues(map.take("continues"));
+  const YamlValue last = map.take("continues");
+  last.must_be_on_last_line(text);
+  YamlMap continues(last);
   const std::uint64_t record = continues.take("record").count(std::numeric_limits<std::uint64_t>::max() / 2);
   const JournalBase base{record, read_crc32(continues.take("crc32"))};
   continues.finish();

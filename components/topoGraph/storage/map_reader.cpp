@@ -26,8 +26,8 @@ void check_frame(const std::string& text, const std::string& name) {
                      "no map; take an older copy of the file");
 }
 
-MapFile read_file(const YAML::Node& root, const YamlSource& source) {
-  YamlMap map(YamlValue(root, source, "the file"));
+MapFile read_file(const std::string& text, const YamlSource& source) {
+  YamlMap map(YamlValue(load_yaml(text, source), source, "the file"));
   const YamlValue format = map.take("format");
   if (format.text() != names::kFormat) format.fail("is not " + std::string(names::kFormat));
   const YamlValue version = map.take("version");
@@ -47,7 +47,7 @@ MapFile read_file(const YAML::Node& root, const YamlSource& source) {
   if (const auto places = map.take_if_present("places"))
     for (const YamlValue& place : places->list()) append(file.map.places, read_place(place), place);
   if (const auto session = map.take_if_present("session")) file.session = read_session(*session, &file.map);
-  map.take("end");
+  map.take("end").must_be_on_last_line(text);
   map.finish();
   return file;
 }
@@ -56,8 +56,7 @@ MapFile read_file(const YAML::Node& root, const YamlSource& source) {
 
 MapFile parse_map_file(const std::string& text, const std::string& name) {
   check_frame(text, name);
-  const YamlSource source{name};
-  return read_file(load_yaml(text, source), source);
+  return read_file(text, YamlSource{name});
 }
 
 }  // namespace enfilade::topo_graph

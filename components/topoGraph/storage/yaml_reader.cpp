@@ -25,15 +25,19 @@ void YamlSource::fail(int line, const std::string& what) const {
 
 YAML::Node load_yaml(const std::string& text, const YamlSource& source) {
   try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-    if (documents.size() != 1) source.fail(0, "holds more than one document, or none");
-    return documents.front();
+    return YAML::Load(text);
   } catch (const YAML::Exception& error) {
     source.fail(error.mark.line, error.msg);
   }
 }
 
 void YamlValue::fail(const std::string& what) const { source_->fail(node_.Mark().line, key_ + ": " + what); }
+
+void YamlValue::must_be_on_last_line(std::string_view text) const {
+  if (text.ends_with('\n')) text.remove_suffix(1);
+  if (node_.Mark().line != std::count(text.begin(), text.end(), '\n'))
+    fail("must be the last line: what follows is no part of this");
+}
 
 const std::string& YamlValue::scalar(const char* wanted) const {
   if (!node_.IsScalar()) fail(std::string("must be ") + wanted);

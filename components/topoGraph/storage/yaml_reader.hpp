@@ -21,7 +21,8 @@ struct YamlSource {
   [[noreturn]] void fail(int line, const std::string& what) const;
 };
 
-/// The one document in `text`. Throws MapFileError.
+/// The first document in `text`. Throws MapFileError. (All of them is not asked for: yaml-cpp 0.7 can find
+/// new ones in the same few bytes for ever.)
 YAML::Node load_yaml(const std::string& text, const YamlSource& source);
 
 /// One value of a YAML file. The source must outlive it.
@@ -31,6 +32,8 @@ class YamlValue {
       : node_(std::move(node)), source_(&source), key_(std::move(key)) {}
 
   [[noreturn]] void fail(const std::string& what) const;
+  /// Refuses what stands after the first document of `text`, which is to end with this value.
+  void must_be_on_last_line(std::string_view text) const;
 
   double number() const;  ///< finite
   std::uint64_t count(std::uint64_t highest) const;

@@ -124,6 +124,16 @@ TEST(Journal, WithAnyChangedByteIsRefusedOrMeansTheSame) {
   }
 }
 
+// In such bytes yaml-cpp finds one document after the other without an end. Found by fuzzing.
+TEST(Journal, ThatIsNoYamlIsRefused) {
+  const JournalTexts texts = make_texts(0, 2);
+  const std::string bytes(
+      "# What ha 7, c\n, reco9d s i rcom\xff\xff\xff\0plete: crc32 lorationstandstands\n \n  zone_i 7, "
+      "cp0c7}\n",
+      91);
+  EXPECT_TRUE(names_a_line(error_of(texts, bytes)));
+}
+
 TEST(Journal, NamesTheLineOfTheDamagedRecord) {
   JournalTexts texts = make_texts(3, 3);
   const auto line = 1 + std::count(texts.journal.begin(),

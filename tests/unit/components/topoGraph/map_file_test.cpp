@@ -129,6 +129,12 @@ TEST(MapFile, NamesTheLineAndWhatIsWrong) {
   EXPECT_EQ(error_of(replaced(good, "stamp_ns: 3", "stamp_ns: [3")).rfind("map.yaml:7: ", 0), 0u);
 }
 
+TEST(MapFile, WithMoreThanOneDocumentIsRefused) {
+  const std::string good = to_yaml(rich_file());
+  EXPECT_NE(error_of(good + "---\nsomething: else\nend: enfilade-map\n").find("last line"),
+            std::string::npos);
+}
+
 TEST(MapFile, SurvivesAnyChangedByte) {
   const std::string good = to_yaml(rich_file());
   const std::string odd(
