@@ -9,7 +9,8 @@ Verb add_evaluate(CLI::App& app) {
   CLI::App* group = app.add_subcommand(
       "evaluate", "Measure the parts of the system on random inputs of which the truth is known");
   group->require_subcommand(1);
-  const std::vector<Verb> experiments{add_evaluate_perception(*group), add_evaluate_graph(*group)};
+  const std::vector<Verb> experiments{add_evaluate_perception(*group), add_evaluate_graph(*group),
+                                      add_evaluate_exploration(*group)};
   return {group, [experiments] {
             for (const Verb& experiment : experiments)
               if (experiment.command->parsed()) return experiment.run();

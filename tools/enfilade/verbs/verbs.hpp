@@ -26,6 +26,7 @@ Verb add_map(CLI::App& app);
 Verb add_evaluate(CLI::App& app);
 Verb add_evaluate_perception(CLI::App& group);
 Verb add_evaluate_graph(CLI::App& group);
+Verb add_evaluate_exploration(CLI::App& group);
 /// `enfilade calibrate range`: what the laser measures too much.
 Verb add_calibrate(CLI::App& app);
 
