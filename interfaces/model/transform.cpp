@@ -17,11 +17,17 @@ Pose2 to_pose2(const Transform3& t) {
   return {t.x_m, t.y_m, yaw};
 }
 
-std::optional<Pose2> find_zone_odom(const TransformList& list) {
+std::optional<Pose2> find_transform(const TransformList& list, std::string_view parent,
+                                    std::string_view child) {
   for (const StampedTransform& t : list.transforms) {
-    if (t.frame_id == "odom" && t.child_frame_id == "zone") return to_pose2(t.transform).inverse();
+    if (t.frame_id == parent && t.child_frame_id == child) return to_pose2(t.transform);
   }
   return std::nullopt;
+}
+
+std::optional<Pose2> find_zone_odom(const TransformList& list) {
+  const auto T_odom_zone = find_transform(list, "odom", "zone");
+  return T_odom_zone ? std::optional(T_odom_zone->inverse()) : std::nullopt;
 }
 
 }  // namespace enfilade

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "interfaces/geometry/pose2.hpp"
@@ -38,6 +39,10 @@ struct TransformList {
 
   bool operator==(const TransformList&) const = default;
 };
+
+/// T_parent_child, if the list holds it.
+std::optional<Pose2> find_transform(const TransformList& list, std::string_view parent,
+                                    std::string_view child);
 
 /// T_zone_odom, if gridBuilder tells it in this list: odometry drifts in the frame of the zone, so `zone`
 /// hangs below `odom` on tf.

@@ -33,7 +33,7 @@ inline constexpr Topic<PointCloud>    kPoints     {{"rt/points",       "sensor_m
 inline constexpr Topic<PointCloud>    kPointsFree {{"rt/points_free",  "sensor_msgs::msg::dds_::PointCloud2_",   kBulk,    40, "laser3D", "gridBuilder"}};
 inline constexpr Topic<JointStates>   kJointStates{{"rt/joint_states", "sensor_msgs::msg::dds_::JointState_",    kStream, 200, "motorControl", "laser3D"}};
 inline constexpr Topic<Odometry>      kOdom       {{"rt/odom",         "nav_msgs::msg::dds_::Odometry_",         kStream,  50, "motorControl", "gridBuilder explorer"}};
-inline constexpr Topic<TransformList> kTf         {{"rt/tf",           "tf2_msgs::msg::dds_::TFMessage_",        kStream,  50, "motorControl topoGraph laser3D gridBuilder", "explorer topoGraph"}};
+inline constexpr Topic<TransformList> kTf         {{"rt/tf",           "tf2_msgs::msg::dds_::TFMessage_",        kStream,  50, "motorControl topoGraph laser3D gridBuilder", "explorer topoGraph gridBuilder"}};
 inline constexpr Topic<TransformList> kTfStatic   {{"rt/tf_static",    "tf2_msgs::msg::dds_::TFMessage_",        kState,    0, "laser3D", "gridBuilder"}};
 inline constexpr Topic<VelocityCommand> kCmdVel   {{"rt/cmd_vel",      "geometry_msgs::msg::dds_::Twist_",       kCall,    20, "explorer", "motorControl"}};
 inline constexpr Topic<LogLine>       kRosout     {{"rt/rosout",       "rcl_interfaces::msg::dds_::Log_",        {true, true, 200}, 0, "* simulator", ""}};

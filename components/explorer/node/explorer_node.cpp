@@ -81,8 +81,8 @@ Observation ExplorerNode::observe() {
                    .fixed = pointer_to(fixed_),
                    .entered = pointer_to(entered_),
                    .marked = pointer_to(marked_)};
-  if (odometry_) {
-    seen.T_zone_base = T_zone_odom_ * to_pose2(odometry_->T_odom_base);
+  if (odometry_ && T_zone_odom_) {
+    seen.T_zone_base = *T_zone_odom_ * to_pose2(odometry_->T_odom_base);
     seen.pose_stamp_ns = odometry_->stamp_ns;
     seen.speed = {odometry_->linear_m_s, odometry_->angular_rad_s};
   }

@@ -49,7 +49,7 @@ class ExplorerNode : public Node {
   std::unique_ptr<Client<GridSnapshotRequest, GridSnapshotReply>> snapshot_;
 
   std::optional<Odometry> odometry_;
-  Pose2 T_zone_odom_;  ///< as gridBuilder tells it
+  std::optional<Pose2> T_zone_odom_;  ///< as gridBuilder tells it
   std::optional<MotorState> motor_;
   std::optional<CurrentZone> zone_;
   std::optional<TopologicalMap> map_;

@@ -9,8 +9,9 @@ namespace enfilade::grid_builder {
 namespace {
 
 constexpr int kIterations = 12;
-constexpr double kLeastInformation = 1e-6;  // of the best known direction
-constexpr int kLastIterations = 4;          // with the last gate
+constexpr int kLastIterations = 4;   // with the last gate
+constexpr double kTurnStep = 0.026;  // 1.5°: the first gate catches more than half of it
+constexpr std::size_t kPointsToSearch = 800;
 
 /// The wall nearest to a point and how far outside of it the point lies.
 struct Sight {
@@ -18,16 +19,22 @@ struct Sight {
   double residual_m = 0.0;
 };
 
-std::optional<Sight> nearest_wall(const Point2& p, const Rectangle& walls, double gate_m, double corner_m) {
-  const Point2 q = rotate(-walls.yaw_rad, p - walls.pose().translation());
-  const Point2 half(0.5 * walls.width_m, 0.5 * walls.height_m);
+std::optional<Sight> nearest_wall(const Point2& p, const KnownWalls& walls, double gate_m, double corner_m) {
+  const Rectangle& r = walls.rectangle;
+  const Point2 q = rotate(-r.yaw_rad, p - r.pose().translation());
+  const Point2 half(0.5 * r.width_m, 0.5 * r.height_m);
   const Point2 outside = q.cwiseAbs() - half;
   const int axis = std::abs(outside.x()) < std::abs(outside.y()) ? 0 : 1;
   if (std::abs(outside[axis]) >= gate_m || outside[1 - axis] > -corner_m) return std::nullopt;
+  const bool is_far_side = q[axis] > 0.0;
+  if (!walls.seen[static_cast<std::size_t>(axis + (is_far_side ? 0 : 2))]) return std::nullopt;
   Point2 normal = Point2::Zero();
-  normal[axis] = q[axis] > 0.0 ? 1.0 : -1.0;
-  return Sight{rotate(walls.yaw_rad, normal), outside[axis]};
+  normal[axis] = is_far_side ? 1.0 : -1.0;
+  return Sight{rotate(r.yaw_rad, normal), outside[axis]};
 }
+
+/// Tukey's weight of a residual, in gates.
+double tukey(double t) { return (1.0 - t * t) * (1.0 - t * t); }
 
 struct Equations {
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
@@ -36,14 +43,14 @@ struct Equations {
 };
 
 /// Linearised at `moved`, a motion about `pivot`.
-Equations equations_of(std::span<const Point2> points, const Rectangle& walls, const Point2& pivot,
+Equations equations_of(std::span<const Point2> points, const KnownWalls& walls, const Point2& pivot,
                        const Pose2& moved, double gate_m, double corner_m) {
   Equations e;
   for (const Point2& point : points) {
     const Point2 arm = rotate(moved.yaw_rad, point - pivot);
     const auto sight = nearest_wall(pivot + moved.translation() + arm, walls, gate_m, corner_m);
     if (!sight) continue;
-    const double t = sight->residual_m / gate_m, weight = (1.0 - t * t) * (1.0 - t * t);
+    const double weight = tukey(sight->residual_m / gate_m);
     const Eigen::Vector3d row(sight->normal.x(), sight->normal.y(),
                               sight->normal.dot(Point2(-arm.y(), arm.x())));
     e.normal += weight * row * row.transpose();
@@ -58,19 +65,41 @@ double gate_at(int iteration, const WallAlignmentConfig& config) {
   return config.first_gate_m * std::pow(config.last_gate_m / config.first_gate_m, t);
 }
 
+/// The turn about `pivot` from which to begin: the one that brings most points near to walls.
+double first_turn(std::span<const Point2> points, const KnownWalls& walls, const Point2& pivot,
+                  const WallAlignmentConfig& config) {
+  const int steps =
+      config.search_rad <= kTurnStep ? 0 : static_cast<int>(std::ceil(config.search_rad / kTurnStep));
+  const std::size_t every = 1 + points.size() / kPointsToSearch;
+  double best_turn = 0.0, best = -1.0;
+  // From the middle outwards, so that a tie goes to odometry.
+  for (int i = 0; i <= 2 * steps; ++i) {
+    const double turn = kTurnStep * ((i + 1) / 2) * (i % 2 == 0 ? 1.0 : -1.0);
+    double near = 0.0;
+    for (std::size_t k = 0; k < points.size(); k += every) {
+      const Point2 p = pivot + rotate(turn, points[k] - pivot);
+      const auto sight = nearest_wall(p, walls, config.first_gate_m, config.corner_m);
+      if (sight) near += tukey(sight->residual_m / config.first_gate_m);
+    }
+    if (near <= best) continue;
+    best = near;
+    best_turn = turn;
+  }
+  return best_turn;
+}
+
 }  // namespace
 
-std::optional<WallAlignment> align_to_walls(std::span<const Point2> points, const Rectangle& walls,
+std::optional<WallAlignment> align_to_walls(std::span<const Point2> points, const KnownWalls& walls,
                                             const Point2& pivot, const WallAlignmentConfig& config) {
-  Pose2 moved;
+  Pose2 moved{0.0, 0.0, first_turn(points, walls, pivot, config)};
   Equations e;
   int near_walls = 0;
   for (int k = 0; k < kIterations; ++k) {
     e = equations_of(points, walls, pivot, moved, gate_at(k, config), config.corner_m);
     if (k == 0) near_walls = e.points;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(e.normal);
-    const Eigen::Vector3d& information = solver.eigenvalues();  // rising
-    if (!(information[0] > kLeastInformation * information[2])) return std::nullopt;
+    if (e.points == 0) return std::nullopt;
+    e.normal += config.sigma_m * config.sigma_m * Eigen::Matrix3d::Identity();  // known to a metre
     const Eigen::Vector3d step = e.normal.ldlt().solve(e.rhs);
     moved = {moved.x_m + step.x(), moved.y_m + step.y(), moved.yaw_rad + step.z()};
   }
@@ -79,9 +108,10 @@ std::optional<WallAlignment> align_to_walls(std::span<const Point2> points, cons
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(covariance.topLeftCorner<2, 2>()).eigenvalues();
   const Point2 t = pivot + moved.translation() - rotate(moved.yaw_rad, pivot);
   return WallAlignment{.T_after_before = {t.x(), t.y(), moved.yaw_rad},
+                       .covariance = covariance,
                        .sigma_m = std::sqrt(spread.maxCoeff()),
                        .sigma_rad = std::sqrt(covariance(2, 2)),
-                       .on_walls_share = near_walls > 0 ? static_cast<double>(e.points) / near_walls : 0.0};
+                       .on_walls_share = static_cast<double>(e.points) / near_walls};
 }
 
 }  // namespace enfilade::grid_builder

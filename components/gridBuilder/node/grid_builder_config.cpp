@@ -24,6 +24,17 @@ void bind_odometry(ConfigBinder& c, OdometryBufferConfig& odometry) {
   c.number("still_angular_rad_s", odometry.still_angular_rad_s, 0.0, 10.0);
 }
 
+void bind_drift(ConfigBinder& c, OdometryDriftConfig& d) {
+  c.number("distance_sigma", d.distance_sigma, 0.0, 0.5);
+  c.number("turn_sigma", d.turn_sigma, 0.0, 0.5);
+  c.number("curve_sigma_deg_m", d.curve_sigma_deg_m, 0.0, 45.0);
+  c.number("slip_m", d.slip_m, 0.0, 1.0);
+  c.number("slip_deg", d.slip_deg, 0.0, 45.0);
+  c.number("place_sigma_m", d.place_sigma_m, 0.0001, 1.0);
+  c.number("place_sigma_deg", d.place_sigma_deg, 0.001, 45.0);
+  c.number("gate_sigma", d.gate_sigma, 0.1, 100.0);
+}
+
 void bind_registration(ConfigBinder& c, ScanRegistrarConfig& r) {
   c.number("from_m", r.from_m, 0.0, 10.0);
   c.number("to_m", r.to_m, 0.1, 30.0);
@@ -33,12 +44,12 @@ void bind_registration(ConfigBinder& c, ScanRegistrarConfig& r) {
   c.number("sigma_m", r.sigma_m, 0.001, 0.2);
   c.number("max_sigma_m", r.max_sigma_m, 0.0001, 0.1);
   c.number("max_sigma_deg", r.max_sigma_deg, 0.001, 5.0);
+  c.number("max_wall_sigma_m", r.max_wall_sigma_m, 0.001, 10.0);
   c.number("min_share", r.min_share, 0.0, 1.0);
-  c.number("max_shift_m", r.max_shift_m, 0.0, 2.0);
-  c.number("max_turn_deg", r.max_turn_deg, 0.0, 45.0);
   c.number("moved_m", r.moved_m, 0.0, 1.0);
   c.number("moved_deg", r.moved_deg, 0.0, 45.0);
   c.integer("max_held_lines", r.max_held_lines, 1, 10000);
+  c.group("drift", [&](ConfigBinder& g) { bind_drift(g, r.drift); });
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "components/gridBuilder/core/known_walls.hpp"
+
 namespace enfilade::grid_builder {
 namespace {
 
@@ -13,6 +15,7 @@ constexpr const char* kBaseFrame = "base_link";
 constexpr const char* kLaserFrame = "laser";
 constexpr int kFusedPerLine = 3;  // of the lines that have waited, with each that comes
 constexpr int kFusedPerPeriod = 12;
+constexpr int kPeriodsForDrift = 10;
 
 /// Seconds at the start of the component, so that a restarted one never repeats an epoch. Simulated time does
 /// not do for a process, which may start before the first rt/clock; a composed run, which must repeat itself
@@ -41,12 +44,14 @@ void GridBuilderNode::initialize() {
   tf_ = bus.advertise(topics::kTf);
   serve<GridSnapshotRequest, GridSnapshotReply>(bus, topics::kGridSnapshot,
                                                 [this](const GridSnapshotRequest&) { return snapshot(); });
+  bus.subscribe<TransformList>(topics::kTf, [this](const TransformList& t) { take_tf(t); });
   bus.subscribe<TransformList>(topics::kTfStatic, [this](const TransformList& t) { take_tf_static(t); });
   bus.subscribe<CurrentZone>(topics::kCurrentZone, [this](const CurrentZone& z) { take_zone(z); });
   bus.subscribe<RoomEstimate>(topics::kRoomEstimate, [this](const RoomEstimate& r) { room_ = r; });
   bus.subscribe<MotorState>(topics::kMotorState, [this](const MotorState& s) { take_motor_state(s); });
   bus.subscribe<Odometry>(topics::kOdom, [this](const Odometry& o) {
     odometry_.add(o);
+    registrar_.move(to_pose2(o.T_odom_base));
     work_off_lines();
   });
   bus.subscribe<PointCloud>(topics::kPoints, [this](const PointCloud& p) {
@@ -57,19 +62,34 @@ void GridBuilderNode::initialize() {
     lines_.add_free_ends(p);
     work_off_lines();
   });
+  drift_known_ = config_.gate.stationary || !config_.registration.register_scans;
   if (gate_.open()) start_grid();
 }
 
 void GridBuilderNode::compute() {
-  // The sweep is over and has not told where the robot stands: its lines are fused where odometry has them.
-  if (!std::exchange(line_came_, false) && registrar_.waits()) queue(registrar_.give_up());
+  // The sweep is over and has not told all of where the robot stands.
+  if (!std::exchange(line_came_, false) && registrar_.waits()) queue(registrar_.finish());
   fuse(kFusedPerPeriod);
+  if (!drift_known_ && T_map_zone_ && ++waited_for_drift_ >= kPeriodsForDrift) start_from({});
   publish_zone_frame();
   if (lines_.overflowed() == overflow_told_) return;
   context_.log.warn(
       std::to_string(lines_.overflowed() - overflow_told_) + " scan lines dropped: " +
       (origin_base_ ? "no odometry covers them" : "no transform base_link -> laser on rt/tf_static"));
   overflow_told_ = lines_.overflowed();
+}
+
+/// Who was started in the middle of a zone learns from the map how far odometry had drifted in it.
+void GridBuilderNode::take_tf(const TransformList& transforms) {
+  if (drift_known_ || !T_map_zone_) return;
+  const auto T_map_odom = find_transform(transforms, "map", "odom");
+  if (T_map_odom) start_from(T_map_zone_->inverse() * *T_map_odom);
+}
+
+void GridBuilderNode::start_from(const Pose2& T_zone_odom) {
+  registrar_.start_from(T_zone_odom);
+  drift_known_ = true;
+  work_off_lines();
 }
 
 void GridBuilderNode::take_tf_static(const TransformList& transforms) {
@@ -82,6 +102,7 @@ void GridBuilderNode::take_tf_static(const TransformList& transforms) {
 }
 
 void GridBuilderNode::take_zone(const CurrentZone& zone) {
+  T_map_zone_ = zone.T_map_zone;
   if (gate_.take(zone)) start_grid();
 }
 
@@ -91,6 +112,7 @@ void GridBuilderNode::take_motor_state(const MotorState& state) {
     odometry_.clear();
     lines_.clear();
     registrar_.forget_odometry();
+    drift_known_ = true;
     settled_.clear();
     publish_zone_frame();
   }
@@ -111,7 +133,7 @@ void GridBuilderNode::start_grid() {
 }
 
 void GridBuilderNode::work_off_lines() {
-  if (!origin_base_) return;
+  if (!origin_base_ || !drift_known_) return;
   while (const BaseLine* next = lines_.front()) {
     if (!config_.gate.stationary && !odometry_.reaches(next->stamp_ns)) return;
     const BaseLine line = lines_.pop();
@@ -130,9 +152,9 @@ std::optional<BaseMoment> GridBuilderNode::find_moment(StampNs stamp_ns) const {
 }
 
 /// The room as this grid shows it, if one was found.
-std::optional<Rectangle> GridBuilderNode::walls() const {
+std::optional<KnownWalls> GridBuilderNode::walls() const {
   const bool is_ours = room_.found && room_.tag == gate_.tag();
-  return is_ours ? std::optional(room_.rectangle) : std::nullopt;
+  return is_ours ? std::optional(known_walls(room_, config_.registration.max_wall_sigma_m)) : std::nullopt;
 }
 
 void GridBuilderNode::queue(const std::vector<PlacedLine>& lines) {
@@ -152,7 +174,7 @@ void GridBuilderNode::fuse(int most) {
 
 /// Odometry never jumps, and the zone's frame stands still: what drifts between them hangs below odom.
 void GridBuilderNode::publish_zone_frame() {
-  if (!config_.registration.register_scans || config_.gate.stationary) return;
+  if (!drift_known_ || config_.gate.stationary) return;
   tf_.publish(
       {{{context_.clock.now_ns(), "odom", "zone", to_transform3(registrar_.T_zone_odom().inverse())}}});
 }

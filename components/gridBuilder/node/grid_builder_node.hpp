@@ -28,13 +28,15 @@ class GridBuilderNode : public Node {
     Pose2 T_zone_base;
   };
 
+  void take_tf(const TransformList& transforms);
   void take_tf_static(const TransformList& transforms);
+  void start_from(const Pose2& T_zone_odom);
   void take_zone(const CurrentZone& zone);
   void take_motor_state(const MotorState& state);
   void start_grid();
   void work_off_lines();
   std::optional<BaseMoment> find_moment(StampNs stamp_ns) const;
-  std::optional<Rectangle> walls() const;
+  std::optional<KnownWalls> walls() const;
   void queue(const std::vector<PlacedLine>& lines);
   void fuse(int most);
   void insert(const BaseLine& line, const Pose2& T_zone_base);
@@ -52,6 +54,9 @@ class GridBuilderNode : public Node {
   std::deque<SettledLine> settled_;     ///< waiting to be fused; at most registration.max_held_lines and one
   RoomEstimate room_;                   ///< as last told
   std::optional<Point3f> origin_base_;  ///< of the beams, once rt/tf_static has told it
+  std::optional<Pose2> T_map_zone_;
+  int waited_for_drift_ = 0;  ///< periods in which the zone was known and the drift of odometry was not
+  bool drift_known_ = false;  ///< else lines wait
   std::optional<std::uint32_t> odom_boot_;  ///< as last told by the motors
   StampNs newest_line_ns_ = 0;
   bool line_came_ = false;  ///< since the last compute()

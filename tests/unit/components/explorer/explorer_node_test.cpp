@@ -15,6 +15,7 @@ constexpr ZoneTag kTag{1, 1, 5};
 void publish_world(Harness& harness) {
   harness.publish(topics::kCurrentZone, {.zone_id = 1});
   harness.publish(topics::kMotorState, {.odom_boot = 5});
+  harness.publish(topics::kTf, {{{harness.now_ns(), "odom", "zone", {}}}});
   harness.publish(topics::kOdom, {.stamp_ns = harness.now_ns(), .T_odom_base = to_transform3({1, 1, 0})});
 }
 

@@ -37,6 +37,7 @@ class GridBuilderNodeTest : public testing::Test {
     zone.zone_id = id;
     zone.valid_from_ns = from_seconds(valid_from_s);
     harness_->publish(topics::kCurrentZone, zone);
+    harness_->publish(topics::kTf, TransformList{{{harness_->now_ns(), "map", "odom", {}}}});
   }
 
   void tell_sweep(SweepPhase phase, double start_s, double end_s = 0.0, std::uint32_t boot = 7) {
@@ -100,11 +101,45 @@ TEST_F(GridBuilderNodeTest, TellsWhereTheZoneLiesInOdometryWhateverElseHappens) 
   config.registration.register_scans = true;
   start(config);
   auto& tf = harness_->collect(topics::kTf);
+  tell_zone(1);
   harness_->advance_s(0.35);
   ASSERT_FALSE(tf.empty());
   const auto T_zone_odom = find_zone_odom(tf.back());
   ASSERT_TRUE(T_zone_odom);
   EXPECT_EQ(*T_zone_odom, Pose2{});
+}
+
+TEST_F(GridBuilderNodeTest, LearnsFromTheMapHowFarOdometryHadDriftedBeforeItWasStarted) {
+  const Pose2 T_map_zone{3.0, 1.0, 0.4}, T_zone_odom{0.3, -0.2, radians(90.0)};
+  start();
+  mount_laser();
+  CurrentZone zone{.zone_id = 4};
+  zone.T_map_zone = T_map_zone;
+  harness_->publish(topics::kCurrentZone, zone);
+  tell_sweep(SweepPhase::kSweeping, 1.0);
+  for (int i = 0; i <= 50; ++i) tell_pose(0.1 * i);
+  see(2.0);
+  settle();
+  EXPECT_TRUE(hits_->empty()) << "a line waits until its place is known";
+
+  harness_->publish_as("topoGraph", topics::kTf,
+                       TransformList{{{0, "map", "odom", to_transform3(T_map_zone * T_zone_odom)}}});
+  settle();
+  ASSERT_EQ(hits_->size(), 1u);
+  const Pose2 off = T_zone_odom.inverse() * hits_->front().T_zone_base;
+  EXPECT_NEAR(off.translation().norm() + std::abs(off.yaw_rad), 0.0, 1e-9);
+}
+
+TEST_F(GridBuilderNodeTest, BelievesOdometryWhereNobodyTellsOfADrift) {
+  start();
+  mount_laser();
+  harness_->publish(topics::kCurrentZone, CurrentZone{.zone_id = 4});
+  tell_sweep(SweepPhase::kSweeping, 1.0);
+  for (int i = 0; i <= 50; ++i) tell_pose(0.1 * i);
+  see(2.0);
+  harness_->advance_s(2.0);
+  ASSERT_EQ(hits_->size(), 1u);
+  EXPECT_EQ(hits_->front().T_zone_base, Pose2{});
 }
 
 /// Readers keep a limited queue: a burst of all that waited would push changes out of it.
