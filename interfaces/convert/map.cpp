@@ -31,18 +31,22 @@ own::Door_ door_to_wire(const Door& door) {
   out.height_m(door.height_m.value_or(0.0));
   out.has_thickness(door.thickness_m.has_value());
   out.thickness_m(door.thickness_m.value_or(0.0));
+  out.has_measured_thickness(door.measured_thickness_m.has_value());
+  out.measured_thickness_m(door.measured_thickness_m.value_or(0.0));
   out.driven(door.driven);
   return out;
 }
 
 Door door_from_wire(const own::Door_& door) {
-  return {.id = door.id(),
-          .kind = enum_from_wire(door.kind(), DoorKind::kBlocked, "the kind of a door"),
-          .face = face_from_wire(door.face()),
-          .other_face = optional_from_wire(door.has_other_face(), face_from_wire(door.other_face())),
-          .height_m = optional_from_wire(door.has_height(), door.height_m()),
-          .thickness_m = optional_from_wire(door.has_thickness(), door.thickness_m()),
-          .driven = door.driven()};
+  return {
+      .id = door.id(),
+      .kind = enum_from_wire(door.kind(), DoorKind::kBlocked, "the kind of a door"),
+      .face = face_from_wire(door.face()),
+      .other_face = optional_from_wire(door.has_other_face(), face_from_wire(door.other_face())),
+      .height_m = optional_from_wire(door.has_height(), door.height_m()),
+      .thickness_m = optional_from_wire(door.has_thickness(), door.thickness_m()),
+      .measured_thickness_m = optional_from_wire(door.has_measured_thickness(), door.measured_thickness_m()),
+      .driven = door.driven()};
 }
 
 own::Room_ room_to_wire(const Room& room) {

@@ -40,6 +40,8 @@ struct Door {
   std::optional<DoorFace> other_face;
   std::optional<double> height_m;
   std::optional<double> thickness_m;  ///< of the wall between the faces, where both are known; ≥ 0
+  /// As measured when the robot went through: what the global minimisation moves `thickness_m` away from.
+  std::optional<double> measured_thickness_m;
   bool driven =
       false;  ///< the robot has gone through: certain, while a door that only seems to join may be wrong
 

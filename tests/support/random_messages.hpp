@@ -170,7 +170,7 @@ class RandomMessages {
   }
   void fill(DoorFace& v) { all(v.room, v.gap, v.position_sigma_m, v.measured_offset_m); }
   void fill(Door& v) {
-    all(v.id, v.face, v.other_face, v.height_m, v.thickness_m, v.driven);
+    all(v.id, v.face, v.other_face, v.height_m, v.thickness_m, v.measured_thickness_m, v.driven);
     pick(v.kind, DoorKind::kBlocked);
   }
   void fill(Room& v) {

@@ -9,6 +9,9 @@
 namespace enfilade::topo_graph {
 namespace {
 
+constexpr double kTold_m = 0.05;       // odometry may miss by so much on the way through a door
+constexpr double kSameWidth_m = 0.03;  // faces of one door differ by no more where both were seen whole
+
 Pose2 turn_about(const Point2& pivot, double angle_rad) {
   const Point2 shift = pivot - rotate(angle_rad, pivot);
   return {shift.x(), shift.y(), angle_rad};
@@ -34,6 +37,16 @@ std::optional<WallInterval> find_gap(const PlacedFace& known, const Rectangle& r
     best_distance = away;
   }
   return best;
+}
+
+/// How far the new face lies off along the wall. Where its width is another one, a jamb was hidden from one
+/// of the two rooms: the other jamb, that odometry misses by less, tells.
+double along_wall_m(const PlacedFace& known, const PlacedFace& face) {
+  const Point2 along = known.segment.direction();
+  const double first_m = (face.segment.to - known.segment.from).dot(along);
+  const double second_m = (face.segment.from - known.segment.to).dot(along);
+  if (std::abs(first_m - second_m) <= kSameWidth_m) return 0.5 * (first_m + second_m);
+  return std::abs(first_m) < std::abs(second_m) ? first_m : second_m;
 }
 
 /// The shortest turn about the face's midpoint that makes the two walls parallel.
@@ -65,11 +78,17 @@ CommonDoor CommonDoorSolver::solve(const PlacedFace& known, const Rectangle& rec
       offset.norm() <= config_.max_distance_m && back_to_back(known, face, config_.max_angle_rad);
   if (!door.corrected) return door;
 
+  if (across_m > -kTold_m && across_m < config_.max_thickness_m + kTold_m)
+    door.measured_thickness_m = std::max(0.0, across_m);
   const bool paper = config_.door_faces == DoorFaces::kPaper;
   door.thickness_m = paper ? 0.0 : std::clamp(across_m, 0.0, config_.max_thickness_m);
-  const Point2 shift = door.thickness_m * known.normal - offset;
-  door.correction = Pose2{shift.x(), shift.y(), 0.0} *
-                    (paper ? Pose2{} : parallel_turn(known, face, config_.max_rotation_rad));
+  const Pose2 turn = paper ? Pose2{} : parallel_turn(known, face, config_.max_rotation_rad);
+  const Point2 along = known.segment.direction();
+  const double along_m = paper ? offset.dot(along) : along_wall_m(known, place(turn * rectangle, door.gap));
+  const Point2 shift = (door.thickness_m - across_m) * known.normal - along_m * along;
+  door.correction = Pose2{shift.x(), shift.y(), 0.0} * turn;
+  if (!paper && door.gap.width_m() < known.segment.length() - kSameWidth_m)
+    door.gap = project_on_nearest_wall(known, door.correction * rectangle, config_.max_angle_rad);
   return door;
 }
 

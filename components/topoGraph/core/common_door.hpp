@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "components/topoGraph/core/placed_face.hpp"
@@ -28,7 +29,8 @@ struct CommonDoor {
   bool seen = false;         ///< whether the estimate shows it; otherwise it is projected from the known face
   bool corrected = false;    ///< false: too far away for eq. 20
   double thickness_m = 0.0;  ///< distance of the two faces across the wall, after the correction
-  Pose2 correction;          ///< new room pose = correction * old room pose, in the map frame
+  std::optional<double> measured_thickness_m;  ///< the same as odometry told it, where a wall can be so thick
+  Pose2 correction;  ///< new room pose = correction * old room pose, in the map frame
 };
 
 /// Eq. 20, T_r2·d_r2 = T_r1·d_r1, solved for the pose of the new room r2. `known` is the door's face d_r1,

@@ -108,6 +108,7 @@ void split_door(TopoState& state, DoorId id) {
   door.kind = DoorKind::kUnresolved;
   door.other_face.reset();
   door.thickness_m.reset();
+  door.measured_thickness_m.reset();
   door.driven = false;
   state.map.doors.push_back(apart);
 }

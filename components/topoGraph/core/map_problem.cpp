@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "interfaces/geometry/square.hpp"
+
 namespace enfilade::topo_graph {
 namespace {
 
@@ -30,15 +32,28 @@ FaceNode face_of(const TopologicalMap& map, const DoorFace& face, const Uncertai
   return {index, face.gap.wall, measured_offset(map.rooms[index], face), std::max(sigma, 0.005)};
 }
 
-DoorFactor factor_of(const TopologicalMap& map, const Door& door, const UncertaintyConfig& config) {
+DoorFactor factor_of(const TopologicalMap& map, const Door& door, const WallKnowledge& walls,
+                     const UncertaintyConfig& config) {
   DoorFactor factor{.a = face_of(map, door.face, config), .b = face_of(map, *door.other_face, config)};
-  factor.thickness_m = config.thickness_m;
-  factor.sigma_thickness_m = config.thickness_sigma_m;
+  factor.thickness_m = door.measured_thickness_m.value_or(walls.thickness_m);
+  factor.sigma_thickness_m = door.measured_thickness_m ? walls.crossing_sigma_m : walls.sigma_m;
   const double yaw_a = sigma_of(map.rooms[factor.a.room], 0, 0.0);
   const double yaw_b = sigma_of(map.rooms[factor.b.room], 0, 0.0);
   factor.sigma_direction_rad = std::hypot(config.door_direction_rad, yaw_a, yaw_b);
   factor.loop = !door.driven;
   return factor;
+}
+
+/// By how much odometry missed from room to room, as the doors tell (rms); `odometry_m` counts as one miss.
+double odometry_miss_m(const TopologicalMap& map, const UncertaintyConfig& config) {
+  double squares = square(config.odometry_m), count = 1.0;
+  for (const RoomLink& link : map.links) {
+    const Room *from = map.find_room(link.from), *to = map.find_room(link.to);
+    const Pose2 T_from_to = from->T_map_room.inverse() * to->T_map_room;
+    squares += (T_from_to.translation() - link.T_from_to.translation()).squaredNorm();
+    count += 1.0;
+  }
+  return std::sqrt(squares / count);
 }
 
 /// Puts the gap where the solution has it, as far as its wall goes.
@@ -59,12 +74,30 @@ std::optional<std::size_t> room_index(const TopologicalMap& map, RoomId room) {
   return static_cast<std::size_t>(it - map.rooms.begin());
 }
 
+WallKnowledge wall_knowledge(const TopologicalMap& map, const UncertaintyConfig& config) {
+  WallKnowledge walls;
+  walls.crossing_sigma_m = std::hypot(config.crossing_sigma_m, odometry_miss_m(map, config));
+  // The building's mean is normal about what is configured, each wall about the building's mean, each
+  // measurement about its wall.
+  const double of_one = square(config.thickness_spread_m) + square(walls.crossing_sigma_m);
+  double information = 1.0 / square(config.thickness_sigma_m), sum = config.thickness_m * information;
+  for (const Door& door : map.doors) {
+    if (!door.measured_thickness_m) continue;
+    information += 1.0 / of_one;
+    sum += *door.measured_thickness_m / of_one;
+  }
+  walls.thickness_m = sum / information;
+  walls.sigma_m = std::sqrt(1.0 / information + square(config.thickness_spread_m));
+  return walls;
+}
+
 MapProblem map_problem(const TopologicalMap& map, const UncertaintyConfig& config) {
   MapProblem out;
+  const WallKnowledge walls = wall_knowledge(map, config);
   for (const Room& room : map.rooms) out.problem.rooms.push_back(node_of(room, config));
   for (const Door& door : map.doors) {
     if (!door.other_face || door.other_face->room == door.face.room) continue;
-    out.problem.doors.push_back(factor_of(map, door, config));
+    out.problem.doors.push_back(factor_of(map, door, walls, config));
     out.doors.push_back(door.id);
   }
   for (const RoomLink& link : map.links) {

@@ -17,8 +17,10 @@ struct UncertaintyConfig {
   double door_direction_rad = 0.012;  ///< of two walls being parallel
   double thickness_m = 0.15;          ///< a wall's thickness as expected before it is measured
   double thickness_sigma_m = 0.05;
-  double odometry_share = 0.02;         ///< of the way from room to room
-  double odometry_m = 0.03;             ///< beside that
+  double thickness_spread_m = 0.03;  ///< by which the walls of one building differ
+  double crossing_sigma_m = 0.01;    ///< of a thickness measured by going through the door, beside odometry's
+  double odometry_share = 0.02;      ///< of the way from room to room
+  double odometry_m = 0.03;          ///< beside that
   double odometry_yaw_rad = 0.0523599;  ///< 3° from room to room
 };
 
@@ -28,6 +30,14 @@ struct MapProblem {
   GraphProblem problem;
   std::vector<DoorId> doors;
 };
+
+/// What is known of walls. Those of one building are much alike, so the ones that were measured tell of the
+/// others; how far odometry can be trusted with measuring one shows in how far it missed the doors otherwise.
+struct WallKnowledge {
+  double thickness_m = 0.0, sigma_m = 0.0;  ///< of a wall that was not measured
+  double crossing_sigma_m = 0.0;            ///< of a thickness measured on the way through a door
+};
+WallKnowledge wall_knowledge(const TopologicalMap& map, const UncertaintyConfig& config);
 
 MapProblem map_problem(const TopologicalMap& map, const UncertaintyConfig& config);
 

@@ -190,6 +190,7 @@ void RoomFixer::add_doors(TopoState& state, const RoomModel& model, FixRoomOutco
     entrance = renamed(outcome.common_door->gap, model.quarter_turns);
     join_door(state, *zone.via_door, id, on_wall(*entrance), config_.face_match);
     Door& joined = get_door(state, *zone.via_door);
+    joined.measured_thickness_m = outcome.common_door->measured_thickness_m;
     joined.driven = !outcome.covered;  // which room lies behind a loop is inferred
     if (!outcome.common_door->seen && joined.other_face->gap == on_wall(*entrance))
       joined.other_face->position_sigma_m = config_.uncertainty.door_unseen_m;

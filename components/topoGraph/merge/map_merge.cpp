@@ -104,6 +104,7 @@ class MapJoiner {
     known->kind = DoorKind::kPassage;
     known->other_face = door.other_face;
     known->thickness_m = door.thickness_m;
+    known->measured_thickness_m = door.measured_thickness_m;
     known->driven = door.driven;
     if (!known->height_m) known->height_m = door.height_m;
   }

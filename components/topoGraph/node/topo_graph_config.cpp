@@ -34,6 +34,8 @@ void bind(ConfigBinder& c, UncertaintyConfig& config) {
   c.number("door_direction_rad", config.door_direction_rad, 0.0001, 0.5);
   c.number("thickness_m", config.thickness_m, 0.0, 2.0);
   c.number("thickness_sigma_m", config.thickness_sigma_m, 0.001, 2.0);
+  c.number("thickness_spread_m", config.thickness_spread_m, 0.0, 2.0);
+  c.number("crossing_sigma_m", config.crossing_sigma_m, 0.001, 2.0);
   c.number("odometry_share", config.odometry_share, 0.0, 0.5);
   c.number("odometry_m", config.odometry_m, 0.001, 1.0);
   c.number("odometry_yaw_rad", config.odometry_yaw_rad, 0.0001, 1.0);

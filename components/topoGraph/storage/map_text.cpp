@@ -122,6 +122,8 @@ std::string map_text::door(const Door& door) {
   if (door.other_face) out += "    other_face: " + face(*door.other_face) + "\n";
   if (door.height_m) out += "    height_m: " + number(*door.height_m) + "\n";
   if (door.thickness_m) out += "    thickness_m: " + number(*door.thickness_m) + "\n";
+  if (door.measured_thickness_m)
+    out += "    measured_thickness_m: " + number(*door.measured_thickness_m) + "\n";
   if (door.driven) out += "    driven: true\n";
   return out;
 }

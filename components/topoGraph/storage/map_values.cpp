@@ -112,6 +112,8 @@ Door read_door(const YamlValue& value, const TopologicalMap* graph) {
   if (const auto other = map.take_if_present("other_face")) door.other_face = read_face(*other, graph);
   if (const auto height = map.take_if_present("height_m")) door.height_m = height->number();
   if (const auto thickness = map.take_if_present("thickness_m")) door.thickness_m = thickness->number();
+  if (const auto measured = map.take_if_present("measured_thickness_m"))
+    door.measured_thickness_m = measured->number();
   if (const auto driven = map.take_if_present("driven")) door.driven = driven->flag();
   map.finish();
   if (door.kind == DoorKind::kPassage && !door.other_face) kind.fail("a passage has an other_face");

@@ -46,6 +46,24 @@ TEST(CommonDoor, ThicknessModeKeepsTheMeasuredThicknessAndMakesTheWallsParallel)
     EXPECT_NEAR(offset.dot(kKnown.segment.direction()), 0.0, 1e-12);
     EXPECT_NEAR(face.normal.dot(kKnown.normal), -1.0, 1e-12);
     EXPECT_NEAR(door.thickness_m, measured_m, 1e-12);
+    EXPECT_NEAR(door.measured_thickness_m.value(), measured_m, 1e-12);
+  }
+}
+
+TEST(CommonDoor, MeetsTheJambThatBothRoomsSawWhereTheOtherOneWasHidden) {
+  const CommonDoorSolver solver({});
+  std::mt19937 random(3);
+  for (const bool first_hidden : {false, true}) {
+    DoorEstimate narrow = door_from_room2();
+    (first_hidden ? narrow.gap.from_m : narrow.gap.to_m) += first_hidden ? 0.12 : -0.12;
+    for (int i = 0; i < 20; ++i) {
+      const Pose2 off = drift(random, 0.03, radians(0.5));
+      const CommonDoor door = solver.solve(kKnown, off * room2(), {narrow});
+      const Rectangle corrected = door.correction * off * room2();
+      EXPECT_NEAR(corrected.y_m, room2().y_m, 1e-9);
+      EXPECT_NEAR(door.gap.from_m, door_from_room2().gap.from_m, 1e-9) << "the whole door is known";
+      EXPECT_NEAR(door.gap.to_m, door_from_room2().gap.to_m, 1e-9);
+    }
   }
 }
 
@@ -53,6 +71,7 @@ TEST(CommonDoor, ClampsTheThicknessToWhatAWallCanBe) {
   const CommonDoorSolver solver({});
   const CommonDoor overlapping = solver.solve(kKnown, Pose2{-0.5, 0.0, 0.0} * room2(), {door_from_room2()});
   EXPECT_EQ(overlapping.thickness_m, 0.0);
+  EXPECT_FALSE(overlapping.measured_thickness_m) << "no wall is so thin: something else is wrong";
   EXPECT_NEAR(overlapping.correction.x_m, 0.5 - kThicknessM, 1e-12);
   const CommonDoor apart = solver.solve(kKnown, Pose2{0.5, 0.0, 0.0} * room2(), {door_from_room2()});
   EXPECT_EQ(apart.thickness_m, 0.4);

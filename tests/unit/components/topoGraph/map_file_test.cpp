@@ -39,6 +39,7 @@ MapFile rich_file() {
   state.map.doors[0].height_m = 2.0000000000000004;
   state.map.rooms[1].measured_size_m = Point2(4.2, 3.8);
   state.map.doors[0].other_face->measured_offset_m = -0.25;
+  state.map.doors[0].measured_thickness_m = 0.11;
   state.map.doors[0].other_face->position_sigma_m = 0.3;
   LoopClosure closure{.door = 1, .room = 1, .instead = state.map.rooms[1], .link = state.map.links.at(0)};
   closure.instead.id = closure.link.to = 0;
