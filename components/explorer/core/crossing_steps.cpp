@@ -11,7 +11,7 @@ std::string to_string(DoorKind kind) { return kind == DoorKind::kExit ? "an exit
 
 void ExplorationMachine::begin_crossing(const Observation& seen, Decision& decision) {
   decision.events.push_back("crossing door " + std::to_string(door_));
-  drive_.begin(corridor_.from, trodden_);
+  drive_.begin(corridor_.from, floor_inside(seen));
   go_to(Step::kAlign, ExplorationPhase::kApproaching, "lining up with door " + std::to_string(door_), seen);
   state_.goal = corridor_.from;
 }

@@ -47,6 +47,13 @@ PlacedDoor place_door(const Room& room, const DoorFace& face, const Pose2& T_zon
       .middle = segment.midpoint(), .outward = placed.normal(face.gap.wall), .width_m = face.gap.width_m()};
 }
 
+void add_threshold(const PlacedDoor& door, std::vector<Point2>& points) {
+  constexpr double kStepM = 0.05, kBeyondM = 0.10;
+  const Point2 along{-door.outward.y(), door.outward.x()};
+  for (double s = -0.5 * door.width_m; s <= 0.5 * door.width_m; s += kStepM)
+    points.push_back(door.middle + kBeyondM * door.outward + s * along);
+}
+
 const DoorEstimate* find_gap(const RoomEstimate& estimate, const PlacedDoor& door,
                              const DoorGeometryConfig& config) {
   const DoorEstimate* nearest = nullptr;

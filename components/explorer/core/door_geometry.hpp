@@ -35,6 +35,9 @@ Pose2 locate_room(const Room& room, const Pose2& T_map_zone, const RoomEstimate*
 
 PlacedDoor place_door(const Room& room, const DoorFace& face, const Pose2& T_zone_room);
 
+/// Adds points across the doorway, which nothing that keeps clear of them goes through.
+void add_threshold(const PlacedDoor& door, std::vector<Point2>& points);
+
 /// The gap of the estimate that is this door.
 const DoorEstimate* find_gap(const RoomEstimate& estimate, const PlacedDoor& door,
                              const DoorGeometryConfig& config);

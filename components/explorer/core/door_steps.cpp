@@ -86,13 +86,13 @@ std::optional<PlacedDoor> ExplorationMachine::locate_door(const Observation& see
 void ExplorationMachine::begin_approach(const Observation& seen, Decision& decision) {
   const auto door = locate_door(seen);
   if (!door) return go_to(Step::kChooseDoor, ExplorationPhase::kApproaching, "choosing a door", seen);
-  const FloorMap map = drive_.floor_map(seen, trodden_);
+  const FloorMap map = drive_.floor_map(seen, floor_inside(seen));
   const Reach reach(map, drive_.config().planner, seen.T_zone_base->translation());
   const auto place = reach.nearest(door->pose_at(-config_.staging_m).translation(), config_.staging_search_m);
   if (!place) return give_up_door("there is no way to it", seen, decision);
   const Point2 way = door->middle - *place;
   const Pose2 staging{place->x(), place->y(), std::atan2(way.y(), way.x())};
-  drive_.begin(staging, trodden_);
+  drive_.begin(staging, floor_inside(seen));
   go_to(Step::kApproach, ExplorationPhase::kApproaching, "going to door " + std::to_string(door_), seen);
   state_.goal = staging;
 }
@@ -109,7 +109,7 @@ void ExplorationMachine::judge(const Observation& seen, Decision& decision) {
   if (!door) return go_to(Step::kChooseDoor, ExplorationPhase::kApproaching, "choosing a door", seen);
   const bool current = seen.estimate && seen.estimate->tag == *tag_ && seen.estimate->found;
   const DoorEstimate* gap = current ? find_gap(*seen.estimate, *placed, geometry_) : nullptr;
-  const FloorMap map = drive_.floor_map(seen, trodden_);
+  const FloorMap map = drive_.floor_map(seen, {.trodden = trodden_, .obstacles = {}});
   const DoorJudgement judgement = judge_door(*seen.grid, map, *placed, gap, judge_config_);
   const std::string name = "door " + std::to_string(door_);
   const bool to_be_resolved = door->kind == DoorKind::kUnresolved;

@@ -13,15 +13,16 @@ Drive::Drive(const DriveConfig& config) : config_(config), follower_(config.foll
   }
 }
 
-FloorMap Drive::floor_map(const Observation& seen, const std::vector<Point2>& trodden) const {
-  FloorHints hints{.trodden = trodden, .obstacles = met_};
+FloorMap Drive::floor_map(const Observation& seen, const FloorHints& known) const {
+  FloorHints hints = known;
+  hints.obstacles.insert(hints.obstacles.end(), met_.begin(), met_.end());
   if (seen.T_zone_base) hints.trodden.push_back(seen.T_zone_base->translation());
   return FloorMap(*seen.grid, hints, config_.floor);
 }
 
-void Drive::begin(const Pose2& goal, std::vector<Point2> trodden) {
+void Drive::begin(const Pose2& goal, FloorHints known) {
   goal_ = goal;
-  trodden_ = std::move(trodden);
+  known_ = std::move(known);
   met_.clear();
   map_.reset();
   blocked_since_ns_.reset();
@@ -30,7 +31,7 @@ void Drive::begin(const Pose2& goal, std::vector<Point2> trodden) {
 
 bool Drive::plan(const Observation& seen) {
   const Pose2& pose = *seen.T_zone_base;
-  map_ = floor_map(seen, trodden_);
+  map_ = floor_map(seen, known_);
   double length_m = (goal_.translation() - pose.translation()).norm();
   std::vector<Point2> points{pose.translation(), goal_.translation()};
   if (length_m < config_.follower.goal_tolerance_m) {

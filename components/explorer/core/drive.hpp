@@ -32,11 +32,11 @@ class Drive {
  public:
   explicit Drive(const DriveConfig& config);
 
-  /// The floor as it is known now.
-  FloorMap floor_map(const Observation& seen, const std::vector<Point2>& trodden) const;
+  /// The floor as it is known now, from the grid and otherwise.
+  FloorMap floor_map(const Observation& seen, const FloorHints& known) const;
   const DriveConfig& config() const { return config_; }
 
-  void begin(const Pose2& goal, std::vector<Point2> trodden);
+  void begin(const Pose2& goal, FloorHints known);
   DriveStatus update(const Observation& seen, Decision& decision);
   /// Seen in the way since begin(), zone frame.
   const std::vector<Point2>& met() const { return met_; }
@@ -50,7 +50,8 @@ class Drive {
   PathFollower follower_;
   SafetyGuard guard_;
   Pose2 goal_;
-  std::vector<Point2> trodden_, met_;
+  FloorHints known_;
+  std::vector<Point2> met_;
   std::optional<FloorMap> map_;
   std::optional<StampNs> blocked_since_ns_;
   StampNs deadline_ns_ = 0;

@@ -114,6 +114,7 @@ void ExplorationMachine::start_zone(const Observation& seen, Decision& decision)
   stability_.reset();
   targets_.reset();
   trodden_.clear();
+  thresholds_.clear();
   swept_from_.clear();
   verified_ = false;
   if (new_zone) attempts_.clear();
@@ -140,6 +141,20 @@ void ExplorationMachine::go_to(Step step, ExplorationPhase phase, std::string ac
 void ExplorationMachine::tread(const Observation& seen) {
   const Point2 here = seen.T_zone_base->translation();
   if (trodden_.empty() || (trodden_.back() - here).norm() > kTreadEveryM) trodden_.push_back(here);
+}
+
+/// The floor for ways inside the room: doors are gone through by crossing them, never on the way elsewhere.
+FloorHints ExplorationMachine::floor_inside(const Observation& seen) const {
+  FloorHints known{.trodden = trodden_, .obstacles = thresholds_};
+  const Room* room = current_room(seen);
+  if (!room) return known;
+  const RoomEstimate* estimate = seen.estimate && seen.estimate->tag == *tag_ ? seen.estimate : nullptr;
+  const Pose2 T_zone_room = locate_room(*room, seen.zone->T_map_zone, estimate, geometry_);
+  for (const Door& door : seen.map->doors) {
+    const DoorFace* face = TopologicalMap::find_face(door, room->id);
+    if (face) add_threshold(place_door(*room, *face, T_zone_room), known.obstacles);
+  }
+  return known;
 }
 
 void ExplorationMachine::get_stuck(const std::string& why, const Observation& seen, Decision& decision) {

@@ -96,6 +96,7 @@ class ExplorationMachine {
   void go_to(Step step, ExplorationPhase phase, std::string activity, const Observation& seen);
   bool waited_s(double s, const Observation& seen) const { return seconds(seen.now_ns - step_since_ns_) > s; }
   void tread(const Observation& seen);
+  FloorHints floor_inside(const Observation& seen) const;
   void get_stuck(const std::string& why, const Observation& seen, Decision& decision);
   const Room* current_room(const Observation& seen) const;
 
@@ -106,6 +107,7 @@ class ExplorationMachine {
   void after_sweep(const Observation& seen, Decision& decision);
   bool tell_of_new_door(const Observation& seen, Decision& decision);
   void note_what_was_seen(const Observation& seen);
+  void note_thresholds(const RoomEstimate& estimate);
   void assess(const Observation& seen, Decision& decision);
   void assess_without_room(const Observation& seen, Decision& decision);
   std::optional<View> next_view(const Observation& seen) const;
@@ -158,6 +160,7 @@ class ExplorationMachine {
   bool verified_ = false;
   std::vector<Pose2> swept_from_;
   std::vector<Point2> trodden_;
+  std::vector<Point2> thresholds_;  ///< points in the doorways seen
 
   // Of the door being dealt with.
   DoorId door_ = 0;

@@ -50,6 +50,7 @@ void ExplorationMachine::after_sweep(const Observation& seen, Decision& decision
   const bool found = is_current(seen.estimate, *tag_) && seen.estimate->found;
   decision.events.push_back("sweep " + std::to_string(state_.sweeps_in_zone) +
                             " done: " + (found ? summary(*seen.estimate) : "no rectangle fits yet"));
+  if (found) note_thresholds(*seen.estimate);
   if (purpose_ == Purpose::kLocalise && found && tell_of_new_door(seen, decision)) return;
   switch (purpose_) {
     case Purpose::kLocalise:
@@ -66,6 +67,18 @@ void ExplorationMachine::after_sweep(const Observation& seen, Decision& decision
     note_what_was_seen(seen);
   }
   go_to(Step::kAssess, state_.phase, "weighing what was seen", seen);
+}
+
+/// An opening with a lintel leads out of the room, whatever rectangle a later sweep may favour.
+void ExplorationMachine::note_thresholds(const RoomEstimate& estimate) {
+  for (const DoorEstimate& door : estimate.doors) {
+    if (door.state != DoorState::kOpen || !door.height_m || door.gap.width_m() > config_.widest_door_m)
+      continue;
+    const PlacedDoor placed{.middle = segment_of(estimate.rectangle, door.gap).midpoint(),
+                            .outward = estimate.rectangle.normal(door.gap.wall),
+                            .width_m = door.gap.width_m()};
+    add_threshold(placed, thresholds_);
+  }
 }
 
 /// Who comes back to a room may see a door that was missed when the room was fixed.
@@ -115,7 +128,7 @@ void ExplorationMachine::assess(const Observation& seen, Decision& decision) {
 }
 
 std::optional<View> ExplorationMachine::next_view(const Observation& seen) const {
-  const FloorMap map = drive_.floor_map(seen, trodden_);
+  const FloorMap map = drive_.floor_map(seen, floor_inside(seen));
   const Reach reach(map, drive_.config().planner, seen.T_zone_base->translation());
   ViewWish wish{.other_than_yaw_rad = {}, .had = swept_from_};
   if (swept_from_.size() == 1) wish.other_than_yaw_rad = swept_from_.front().yaw_rad;
@@ -131,7 +144,7 @@ std::optional<View> ExplorationMachine::next_view(const Observation& seen) const
 std::optional<View> ExplorationMachine::view_into_gap(
     const Observation& seen, const std::function<bool(const DoorEstimate&)>& is_wanted) const {
   const RoomEstimate& estimate = *seen.estimate;
-  const FloorMap map = drive_.floor_map(seen, trodden_);
+  const FloorMap map = drive_.floor_map(seen, floor_inside(seen));
   const Reach reach(map, drive_.config().planner, seen.T_zone_base->translation());
   for (const DoorEstimate& door : estimate.doors) {
     if (!is_wanted(door)) continue;
@@ -169,7 +182,7 @@ void ExplorationMachine::begin_look(const View& view, const Observation& seen, D
   const std::string activity =
       "looking from " + place_of(view.pose.translation()) + " towards the " + compass(view.pose.yaw_rad);
   decision.events.push_back(activity);
-  drive_.begin(view.pose, trodden_);
+  drive_.begin(view.pose, floor_inside(seen));
   go_to(Step::kLook, ExplorationPhase::kLooking, activity, seen);
   state_.goal = view.pose;
 }

@@ -224,6 +224,33 @@ TEST(ExplorationMachine, LooksFromInFrontIntoAGapThatMayBeADoorBeforeItFixesTheR
   EXPECT_TRUE(looked);
 }
 
+TEST(ExplorationMachine, StaysInTheRoomThoughALaterModelSwallowsADoorWithALintel) {
+  for (const bool has_lintel : {false, true}) {
+    World world;
+    world.grid = SyntheticRoom()
+                     .room(0, 0, 4, 4)
+                     .solid(4.0, 0, 4.2, 4)
+                     .free(4.0, 1.5, 4.2, 2.5, 0.0, 2.0)
+                     .free(4.2, 0.1, 7.9, 3.9, 0.0)  // the walls of the next room are still unseen
+                     .grid();
+    if (has_lintel) world.estimate.doors[0].height_m = 2.0;
+    double farthest_m = 0.0;
+    for (int i = 0; i < 6000 && world.machine.state().phase != ExplorationPhase::kFixing; ++i) {
+      if (world.sweeps > 1) {
+        world.estimate.rectangle = {0, 4, 2, 8, 4};
+        world.estimate.doors.clear();
+      }
+      world.tick();
+      farthest_m = std::max(farthest_m, world.pose.x_m);
+    }
+    if (has_lintel) {
+      EXPECT_LT(farthest_m, 4.0);
+    } else {
+      EXPECT_GT(farthest_m, 4.3) << "without one it may be a passage between two cupboards";
+    }
+  }
+}
+
 TEST(ExplorationMachine, SaysSoWhereNoRectangleFits) {
   World world;
   world.estimate.found = false;
