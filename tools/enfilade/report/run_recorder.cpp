@@ -35,7 +35,7 @@ RunRecorder::RunRecorder(Bus& bus, const Pose2& T_world_start) : T_world_start_(
   bus.subscribe<TopologicalMap>(topics::kTopologicalMap, [this](const auto& map) { record_.map = map; });
   bus.subscribe<RoomEstimate>(topics::kRoomEstimate,
                               [this](const auto& estimate) { take_estimate(estimate); });
-  bus.subscribe<Odometry>(topics::kOdom, [this](const auto& odometry) { odometry_ = odometry; });
+  bus.subscribe<Odometry>(topics::kOdom, [this](const auto& odometry) { take_odometry(odometry); });
   bus.subscribe<TransformList>(topics::kTf, [this](const auto& list) { take_transforms(list); });
   bus.subscribe<CurrentZone>(topics::kCurrentZone, [this](const auto& zone) { take_zone(zone); });
   bus.subscribe<ScanHits>(topics::kScanHits, [this](const auto& hits) { take_hits(hits); });
@@ -47,9 +47,7 @@ RunRecorder::RunRecorder(Bus& bus, const Pose2& T_world_start) : T_world_start_(
 void RunRecorder::take_zone(const CurrentZone& zone) { zone_ = zone; }
 
 void RunRecorder::take_transforms(const TransformList& list) {
-  for (const StampedTransform& t : list.transforms) {
-    if (t.frame_id == "map" && t.child_frame_id == "odom") T_map_odom_ = to_pose2(t.transform);
-  }
+  if (const auto told = find_transform(list, "map", "odom")) T_map_odom_ = *told;
 }
 
 void RunRecorder::take_hits(const ScanHits& hits) {
@@ -96,6 +94,17 @@ void RunRecorder::keep_scan() {
 
 void RunRecorder::take_ground_truth(const GroundTruth& truth) {
   record_.ground_truth = truth;
+  compare_poses();
+}
+
+void RunRecorder::take_odometry(const Odometry& odometry) {
+  odometry_ = odometry;
+  compare_poses();
+}
+
+/// Truth and odometry of one moment come in either order.
+void RunRecorder::compare_poses() {
+  const GroundTruth& truth = record_.ground_truth;
   if (!odometry_ || odometry_->stamp_ns != truth.stamp_ns) return;
   const Pose2 T_world_base = T_world_start_ * T_map_odom_ * to_pose2(odometry_->T_odom_base);
   const double error = (T_world_base.translation() - truth.T_world_base.translation()).norm();

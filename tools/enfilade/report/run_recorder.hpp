@@ -51,6 +51,8 @@ class RunRecorder {
   void take_zone(const CurrentZone& zone);
   void take_transforms(const TransformList& list);
   void take_ground_truth(const GroundTruth& truth);
+  void take_odometry(const Odometry& odometry);
+  void compare_poses();
   void take_estimate(const RoomEstimate& estimate);
   void keep_scan();
 

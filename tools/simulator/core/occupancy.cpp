@@ -51,8 +51,8 @@ std::vector<Point2> footprint(const Occupancy& map, const Block& block) {
   return {T * Point2(west, south), T * Point2(east, south), T * Point2(east, north), T * Point2(west, north)};
 }
 
-/// Chessboard distance in cells from each cell to the nearest occupied one or to the image's edge (two
-/// passes).
+/// Chessboard distance in cells from each cell to the nearest one that is not free or to the image's edge
+/// (two passes).
 std::vector<int> clearance(const Occupancy& map) {
   const int w = map.columns, h = map.rows;
   std::vector<int> cells(static_cast<std::size_t>(w) * h);
@@ -62,7 +62,8 @@ std::vector<int> clearance(const Occupancy& map) {
   for (int r = 0; r < h; ++r)
     for (int c = 0; c < w; ++c)
       cells[static_cast<std::size_t>(r) * w + c] =
-          map.at(c, r) ? 0 : 1 + std::min({at(c - 1, r), at(c - 1, r - 1), at(c, r - 1), at(c + 1, r - 1)});
+          !map.is_free(c, r) ? 0
+                             : 1 + std::min({at(c - 1, r), at(c - 1, r - 1), at(c, r - 1), at(c + 1, r - 1)});
   for (int r = h - 1; r >= 0; --r)
     for (int c = w - 1; c >= 0; --c) {
       int& cell = cells[static_cast<std::size_t>(r) * w + c];

@@ -13,10 +13,15 @@ namespace enfilade::simulator {
 struct Occupancy {
   int columns = 0, rows = 0;
   std::vector<bool> occupied;  ///< row by row
+  std::vector<bool> unknown;   ///< likewise: nobody has been there; empty = none
   double resolution_m = 0.05;
   Pose2 T_world_corner;  ///< lower left corner of the lower left cell
 
-  bool at(int column, int row) const { return occupied[static_cast<std::size_t>(row) * columns + column]; }
+  bool at(int column, int row) const { return occupied[index(column, row)]; }
+  bool is_free(int column, int row) const {
+    return !at(column, row) && (unknown.empty() || !unknown[index(column, row)]);
+  }
+  std::size_t index(int column, int row) const { return static_cast<std::size_t>(row) * columns + column; }
 };
 
 struct ExtrusionConfig {

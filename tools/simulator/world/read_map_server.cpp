@@ -11,15 +11,22 @@ namespace {
 
 constexpr double kFarthest_m = 1e4;
 
+struct Thresholds {
+  double occupied = 0.65, free = 0.25;
+};
+
 /// As map_server has it: p = (255 - pixel) / 255, or pixel / 255 when negated; occupied where p exceeds the
-/// threshold. What is neither occupied nor free is taken for free: a wall that nobody has seen cannot be
-/// built.
-Occupancy threshold(const GreyImage& image, bool negate, double occupied_threshold) {
+/// upper threshold, free where it is below the lower one. Nothing stands in what is neither, since a wall
+/// that nobody has seen cannot be built, but the robot does not start there.
+Occupancy threshold(const GreyImage& image, bool negate, const Thresholds& thresholds) {
   Occupancy occupancy;
   occupancy.columns = image.columns;
   occupancy.rows = image.rows;
-  for (const std::uint8_t pixel : image.pixels)
-    occupancy.occupied.push_back((negate ? pixel : 255 - pixel) / 255.0 > occupied_threshold);
+  for (const std::uint8_t pixel : image.pixels) {
+    const double p = (negate ? pixel : 255 - pixel) / 255.0;
+    occupancy.occupied.push_back(p > thresholds.occupied);
+    occupancy.unknown.push_back(p <= thresholds.occupied && p >= thresholds.free);
+  }
   return occupancy;
 }
 
@@ -44,15 +51,15 @@ World read_map_server(YamlFields& fields, const std::string& name, const std::st
   const double resolution_m = fields.number("resolution", 1e-3, 10.0);
   const std::vector<double> origin = fields.numbers("origin", 3, -kFarthest_m, kFarthest_m);
   const bool negate = fields.number_or("negate", 0.0, 0.0, 1.0) > 0.5;
-  const double occupied_threshold = fields.number_or("occupied_thresh", 0.65, 0.0, 1.0);
-  fields.number_or("free_thresh", 0.25, 0.0, 1.0);
+  const Thresholds thresholds{.occupied = fields.number_or("occupied_thresh", 0.65, 0.0, 1.0),
+                              .free = fields.number_or("free_thresh", 0.25, 0.0, 1.0)};
   fields.text_or("mode", "trinary");
   const ExtrusionConfig extrusion = read_extrusion(fields);
   fields.finish();
   if (origin.empty()) return {};
   try {
     const auto file = image_path.is_absolute() ? image_path : std::filesystem::path(folder) / image_path;
-    Occupancy occupancy = threshold(read_grey_image(file.string()), negate, occupied_threshold);
+    Occupancy occupancy = threshold(read_grey_image(file.string()), negate, thresholds);
     occupancy.resolution_m = resolution_m;
     occupancy.T_world_corner = {origin[0], origin[1], origin[2]};
     return extrude(name, occupancy, extrusion);
