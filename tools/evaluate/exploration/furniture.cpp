@@ -180,10 +180,10 @@ void block_doors(const BuildingSpec& spec, Dice& dice, RandomBuilding& building)
     if (!dice.chance(spec.blocked_doors) || !can_be_spared(building, i)) continue;
     const BuiltOpening& o = building.doors[i].opening;
     const auto place = before_door(building, building.doors[i], o.room);
-    building.furniture.push_back({.room = o.room,
-                                  .place = *place,
-                                  .size = {o.width_m, o.width_m},
-                                  .height_m = dice.between(0.4, 1.2)});
+    const BuiltThing thing{
+        .room = o.room, .place = *place, .size = {o.width_m, o.width_m}, .height_m = dice.between(0.4, 1.2)};
+    const double to_start_m = distance_to(thing, building.T_building_start.translation());
+    if (to_start_m > kClearance_m) building.furniture.push_back(thing);
   }
 }
 
@@ -193,8 +193,9 @@ void add_walkers(const BuildingSpec& spec, Dice& dice, RandomBuilding& building)
     const BuiltRoom& room = building.rooms[i];
     const Point2 half = (0.5 * room.size()).array() - 0.5;
     const Point2 aside = half.cwiseProduct(Point2(dice.between(-1.0, 1.0), dice.between(-1.0, 1.0)));
-    building.walkers.push_back(
-        {i, {Point2(room.middle() + aside), Point2(room.middle() - aside)}, dice.between(0.3, 0.9)});
+    const Point2 begin = room.middle() + aside;
+    if ((begin - building.T_building_start.translation()).norm() < 2.0 * kClearance_m) continue;
+    building.walkers.push_back({i, {begin, Point2(room.middle() - aside)}, dice.between(0.3, 0.9)});
   }
 }
 
