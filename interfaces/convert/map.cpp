@@ -34,6 +34,7 @@ own::Door_ door_to_wire(const Door& door) {
   out.has_measured_thickness(door.measured_thickness_m.has_value());
   out.measured_thickness_m(door.measured_thickness_m.value_or(0.0));
   out.driven(door.driven);
+  out.closed(door.closed);
   return out;
 }
 
@@ -46,7 +47,8 @@ Door door_from_wire(const own::Door_& door) {
       .height_m = optional_from_wire(door.has_height(), door.height_m()),
       .thickness_m = optional_from_wire(door.has_thickness(), door.thickness_m()),
       .measured_thickness_m = optional_from_wire(door.has_measured_thickness(), door.measured_thickness_m()),
-      .driven = door.driven()};
+      .driven = door.driven(),
+      .closed = door.closed()};
 }
 
 own::Room_ room_to_wire(const Room& room) {

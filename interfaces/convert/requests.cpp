@@ -60,12 +60,15 @@ own_srv::MarkDoor_Request_ to_wire(const MarkDoorRequest& request) {
   out.call(to_wire(request.call));
   out.door(request.door);
   out.kind(enum_to_wire(request.kind));
+  out.has_closed(request.closed.has_value());
+  out.closed(request.closed.value_or(false));
   return out;
 }
 
 MarkDoorRequest from_wire(const own_srv::MarkDoor_Request_& request) {
   return {from_wire(request.call()), request.door(),
-          enum_from_wire(request.kind(), DoorKind::kBlocked, "the kind of a door")};
+          enum_from_wire(request.kind(), DoorKind::kBlocked, "the kind of a door"),
+          optional_from_wire(request.has_closed(), request.closed())};
 }
 
 own_srv::MarkDoor_Response_ to_wire(const MarkDoorReply& reply) {

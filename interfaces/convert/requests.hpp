@@ -26,6 +26,11 @@ MarkDoorRequest from_wire(const own_srv::MarkDoor_Request_& request);
 own_srv::MarkDoor_Response_ to_wire(const MarkDoorReply& reply);
 MarkDoorReply from_wire(const own_srv::MarkDoor_Response_& reply);
 
+own_srv::Route_Request_ to_wire(const RouteRequest& request);
+RouteRequest from_wire(const own_srv::Route_Request_& request);
+own_srv::Route_Response_ to_wire(const RouteReply& reply);
+RouteReply from_wire(const own_srv::Route_Response_& reply);
+
 own_srv::GridSnapshot_Request_ to_wire(const GridSnapshotRequest& request);
 GridSnapshotRequest from_wire(const own_srv::GridSnapshot_Request_& request);
 own_srv::GridSnapshot_Response_ to_wire(const GridSnapshotReply& reply);

@@ -8,6 +8,7 @@
 #include <fastcdr/Cdr.h>
 #include <fastcdr/FastBuffer.h>
 
+#include "interfaces/convert/metric_map.hpp"
 #include "interfaces/convert/motion.hpp"
 #include "interfaces/convert/requests.hpp"
 #include "interfaces/convert/sensing.hpp"

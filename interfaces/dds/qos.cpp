@@ -17,10 +17,13 @@ const Duration_t kNoDelay{0, 0};
 
 /// May be larger than one datagram: a thread of Fast DDS sends them, so that the component does not wait for
 /// the fragments.
-constexpr std::array<std::string_view, 5> kLargeTypes{
-    "sensor_msgs::msg::dds_::PointCloud2_", "enfilade_msgs::msg::dds_::GridChange_",
-    "enfilade_msgs::msg::dds_::ScanHits_", "enfilade_msgs::msg::dds_::TopologicalMap_",
-    "enfilade_msgs::srv::dds_::GridSnapshot_Response_"};
+constexpr std::array<std::string_view, 7> kLargeTypes{"sensor_msgs::msg::dds_::PointCloud2_",
+                                                      "nav_msgs::msg::dds_::OccupancyGrid_",
+                                                      "octomap_msgs::msg::dds_::Octomap_",
+                                                      "enfilade_msgs::msg::dds_::GridChange_",
+                                                      "enfilade_msgs::msg::dds_::ScanHits_",
+                                                      "enfilade_msgs::msg::dds_::TopologicalMap_",
+                                                      "enfilade_msgs::srv::dds_::GridSnapshot_Response_"};
 
 bool may_be_large(const TopicInfo& topic) {
   return std::ranges::find(kLargeTypes, topic.wire_type) != kLargeTypes.end();

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "interfaces/model/grid.hpp"
+#include "interfaces/model/route.hpp"
 #include "interfaces/model/topological_map.hpp"
 
 namespace enfilade {
@@ -58,11 +61,13 @@ struct EnterZoneReply {
   bool operator==(const EnterZoneReply&) const = default;
 };
 
-/// explorer → topoGraph: what a closer look at a door has shown (an exit, or no way through).
+/// explorer → topoGraph: what a closer look at a door has shown (an exit, or no way through); anybody →
+/// topoGraph: whether it is closed for the time being.
 struct MarkDoorRequest {
   CallId call;
   DoorId door = 0;
-  DoorKind kind = DoorKind::kUnresolved;
+  DoorKind kind = DoorKind::kUnresolved;  ///< kUnresolved leaves it as it is
+  std::optional<bool> closed = {};
 
   bool operator==(const MarkDoorRequest&) const = default;
 };
@@ -73,6 +78,26 @@ struct MarkDoorReply {
   std::string message;
 
   bool operator==(const MarkDoorReply&) const = default;
+};
+
+/// anybody → topoGraph: the shortest way from door to door. A place with room 0 is a point of the map, one
+/// with a room is the middle of it.
+struct RouteRequest {
+  CallId call;
+  RoutePlace start;
+  RoutePlace goal;
+  std::vector<DoorId> closed_doors;  ///< beside those that the map knows to be closed
+
+  bool operator==(const RouteRequest&) const = default;
+};
+
+struct RouteReply {
+  CallId call;
+  bool found = false;
+  std::string message;  ///< why there is none
+  Route route;
+
+  bool operator==(const RouteReply&) const = default;
 };
 
 /// roomDetector, explorer → gridBuilder: all cells of the current epoch.

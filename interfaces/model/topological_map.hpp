@@ -44,6 +44,7 @@ struct Door {
   std::optional<double> measured_thickness_m;
   bool driven =
       false;  ///< the robot has gone through: certain, while a door that only seems to join may be wrong
+  bool closed = false;  ///< marked as shut for the time being: not on any route
 
   bool operator==(const Door&) const = default;
 };

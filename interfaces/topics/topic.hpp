@@ -14,7 +14,7 @@ struct Qos {
 
 /// One row of the topic table. Writers and readers are names of components, separated by one space; "*" is
 /// every component. Tools (participants whose name starts with "enfilade") may read everything and write
-/// nothing but what lists them.
+/// nothing but what lists "enfilade".
 struct TopicInfo {
   std::string_view name;       ///< DDS topic name; "rt/x" is the ROS 2 topic /x
   std::string_view wire_type;  ///< DDS type name
@@ -38,7 +38,7 @@ struct Service {
   Topic<A> reply;
 };
 
-/// Whether `name` is one of the space-separated `names`, or these are "*".
+/// Whether `name` is one of the space-separated `names`, or a component and these are "*".
 bool lists(std::string_view names, std::string_view name);
 bool is_tool(std::string_view participant);
 bool may_write(const TopicInfo& topic, std::string_view participant);

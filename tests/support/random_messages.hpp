@@ -120,6 +120,19 @@ class RandomMessages {
   }
   void fill(GroundTruth& v) { all(v.stamp_ns, v.T_world_base, v.collisions, v.path_length_m); }
 
+  void fill(OccupancyMap& v) {
+    all(v.stamp_ns, v.frame_id, v.T_frame_cells);
+    v.resolution_m = static_cast<float>(1 + below(1'000'000)) * 1e-4F;
+    v.columns = static_cast<std::uint32_t>(below(20));
+    v.rows = static_cast<std::uint32_t>(below(20));
+    v.cells.resize(v.columns * v.rows);
+    for (std::int8_t& cell : v.cells) fill(cell);
+  }
+  void fill(OctreeMap& v) {
+    all(v.stamp_ns, v.frame_id, v.data);
+    v.resolution_m = static_cast<double>(1 + below(1'000'000)) * 1e-4;
+  }
+
   void fill(GridCell& v) {
     all(v.x, v.y, v.z);
     pick(v.state, CellState::kOccupied);
@@ -170,7 +183,7 @@ class RandomMessages {
   }
   void fill(DoorFace& v) { all(v.room, v.gap, v.position_sigma_m, v.measured_offset_m); }
   void fill(Door& v) {
-    all(v.id, v.face, v.other_face, v.height_m, v.thickness_m, v.measured_thickness_m, v.driven);
+    all(v.id, v.face, v.other_face, v.height_m, v.thickness_m, v.measured_thickness_m, v.driven, v.closed);
     pick(v.kind, DoorKind::kBlocked);
   }
   void fill(Room& v) {
@@ -201,10 +214,18 @@ class RandomMessages {
   void fill(EnterZoneRequest& v) { all(v.call, v.from_room, v.via_door, v.T_zone_base, v.stamp_ns); }
   void fill(EnterZoneReply& v) { all(v.call, v.accepted, v.message, v.zone_id); }
   void fill(MarkDoorRequest& v) {
-    all(v.call, v.door);
+    all(v.call, v.door, v.closed);
     pick(v.kind, DoorKind::kBlocked);
   }
   void fill(MarkDoorReply& v) { all(v.call, v.accepted, v.message); }
+  void fill(RoutePlace& v) { all(v.room, v.point); }
+  void fill(RouteRequest& v) { all(v.call, v.start, v.goal, v.closed_doors); }
+  void fill(RouteLeg& v) {
+    all(v.room, v.enter, v.leave, v.door);
+    if (v.door == DoorId{0}) v.door.reset();  // ids are from 1
+  }
+  void fill(Route& v) { all(v.legs, v.length_m); }
+  void fill(RouteReply& v) { all(v.call, v.found, v.message, v.route); }
   void fill(GridSnapshotRequest& v) { all(v.call); }
   void fill(GridSnapshotReply& v) { all(v.call, v.snapshot); }
 

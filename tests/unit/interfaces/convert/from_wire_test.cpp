@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "interfaces/convert/grid.hpp"
+#include "interfaces/convert/metric_map.hpp"
 #include "interfaces/convert/motion.hpp"
 #include "interfaces/convert/requests.hpp"
 #include "interfaces/convert/sensing.hpp"
@@ -113,6 +114,33 @@ TEST(GridFromWire, RefusesAGridWithoutAResolution) {
 TEST(GridFromWire, RefusesACellHitByNothing) {
   EXPECT_NO_THROW(wire::from_wire(wire::to_wire(ScanHits{.hits = {{1, 2, 3, 1}}})));
   EXPECT_THROW(wire::from_wire(wire::to_wire(ScanHits{.hits = {{1, 2, 3, 0}}})), WireError);
+}
+
+TEST(MapFromWire, RefusesCellsThatContradictItsSizes) {
+  const OccupancyMap map{.resolution_m = 0.05F, .columns = 3, .rows = 2, .cells = {0, 100, -1, 0, 0, 0}};
+  EXPECT_EQ(wire::from_wire(wire::to_wire(map)), map);
+  auto grid = wire::to_wire(map);
+  grid.info().width(4);
+  EXPECT_THROW(wire::from_wire(grid), WireError);
+  grid.info().width(0xffffffffU), grid.info().height(0xffffffffU);
+  EXPECT_THROW(wire::from_wire(grid), WireError);
+  grid = wire::to_wire(map);
+  grid.info().resolution(0.0F);
+  EXPECT_THROW(wire::from_wire(grid), WireError);
+}
+
+TEST(OctreeFromWire, RefusesTreesOfOtherKinds) {
+  const OctreeMap map{.resolution_m = 0.05, .data = {1, 2}};
+  EXPECT_EQ(wire::from_wire(wire::to_wire(map)), map);
+  auto octomap = wire::to_wire(map);
+  octomap.binary(false);
+  EXPECT_THROW(wire::from_wire(octomap), WireError);
+  octomap = wire::to_wire(map);
+  octomap.id("ColorOcTree");
+  EXPECT_THROW(wire::from_wire(octomap), WireError);
+  octomap = wire::to_wire(map);
+  octomap.resolution(-1.0);
+  EXPECT_THROW(wire::from_wire(octomap), WireError);
 }
 
 TEST(RoomFromWire, RefusesAGapInAFifthWall) {

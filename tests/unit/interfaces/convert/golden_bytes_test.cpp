@@ -39,6 +39,42 @@ TEST(WireCodec, EncodesALaserScanAsRos2Does) {
   EXPECT_EQ(wire::codec_of(topics::kScan.info).encode(&scan), expected);
 }
 
+TEST(WireCodec, EncodesAnOccupancyGridAsRos2Does) {
+  const OccupancyMap map{.stamp_ns = 5'000'000'007,
+                         .frame_id = "map",
+                         .resolution_m = 0.25F,
+                         .columns = 2,
+                         .rows = 1,
+                         .T_frame_cells = {.x_m = -0.5},
+                         .cells = {OccupancyMap::kUnknown, OccupancyMap::kOccupied}};
+  wire::WireBytes expected{0x00, 0x01, 0x00, 0x00,                          // CDR, little endian
+                           0x05, 0x00, 0x00, 0x00, 0x07, 0x00, 0x00, 0x00,  // stamp: 5 s, 7 ns
+                           0x04, 0x00, 0x00, 0x00, 'm',  'a',  'p',  0x00,  // frame_id
+                           0x05, 0x00, 0x00, 0x00, 0x07, 0x00, 0x00, 0x00,  // map_load_time
+                           0x00, 0x00, 0x80, 0x3e,                          // resolution 1/4
+                           0x02, 0x00, 0x00, 0x00, 0x01, 0x00, 0x00, 0x00,  // width, height
+                           0x00, 0x00, 0x00, 0x00};                         // padding to 8
+  expected.resize(expected.size() + 7 * 8);
+  expected[44 + 6] = 0xe0, expected[44 + 7] = 0xbf;    // origin: x -1/2 …
+  expected[44 + 54] = 0xf0, expected[44 + 55] = 0x3f;  // … and a turn by nothing, w 1
+  for (const int byte : {0x02, 0x00, 0x00, 0x00, 0xff, 0x64})
+    expected.push_back(static_cast<std::uint8_t>(byte));
+  EXPECT_EQ(wire::codec_of(topics::kMap.info).encode(&map), expected);
+}
+
+TEST(WireCodec, EncodesAnOctomapAsRos2Does) {
+  const OctreeMap map{.stamp_ns = 7, .frame_id = "zone", .resolution_m = 0.5, .data = {-2, 3}};
+  const wire::WireBytes expected{0x00, 0x01, 0x00, 0x00,                                // CDR, little endian
+                                 0x00, 0x00, 0x00, 0x00, 0x07, 0x00, 0x00, 0x00,        // stamp: 7 ns
+                                 0x05, 0x00, 0x00, 0x00, 'z',  'o',  'n',  'e',  0x00,  // frame_id
+                                 0x01, 0,    0,  // binary, padding to 4
+                                 0x07, 0x00, 0x00, 0x00, 'O',  'c',  'T',  'r',  'e',
+                                 'e',  0x00, 0,                                   // id, padding to 8
+                                 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0xe0, 0x3f,  // resolution 1/2
+                                 0x02, 0x00, 0x00, 0x00, 0xfe, 0x03};             // data
+  EXPECT_EQ(wire::codec_of(topics::kOctomap.info).encode(&map), expected);
+}
+
 TEST(WireCodec, EncodesAVelocityCommandAsRos2Does) {
   const VelocityCommand command{.linear_m_s = 0.5, .angular_rad_s = -2.0};
   wire::WireBytes expected(4 + 6 * 8, 0);

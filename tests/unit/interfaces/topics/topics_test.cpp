@@ -25,7 +25,7 @@ TEST(Topics, NamesAreUniqueAndEachHasAWriterThatExists) {
   std::set<std::string_view> names;
   for (const TopicInfo& topic : topics::table()) {
     EXPECT_TRUE(names.insert(topic.name).second) << topic.name;
-    bool written = may_write(topic, "simulator");
+    bool written = may_write(topic, "simulator") || may_write(topic, "enfilade");
     for (const std::string& component : kComponents) written |= may_write(topic, component);
     EXPECT_TRUE(written) << topic.name;
     EXPECT_GT(topic.qos.depth, 0) << topic.name;
@@ -41,10 +41,13 @@ TEST(Topics, NamesAndTypesFollowTheRosWireRules) {
   }
 }
 
-TEST(Topics, ToolsReadEverythingAndWriteNothing) {
+TEST(Topics, ToolsReadEverythingAndWriteNothingButRequestsThatNameThem) {
   for (const TopicInfo& topic : topics::table()) {
     EXPECT_TRUE(may_read(topic, "enfilade-viewer")) << topic.name;
-    EXPECT_FALSE(may_write(topic, "enfilade-viewer")) << topic.name;
+    const bool asks =
+        topic.name == topics::kRoute.request.info.name || topic.name == topics::kMarkDoor.request.info.name;
+    EXPECT_EQ(may_write(topic, "enfilade-viewer"), asks) << topic.name;
+    EXPECT_EQ(may_write(topic, "enfilade"), asks) << topic.name;
   }
 }
 
@@ -54,6 +57,7 @@ TEST(Topics, ListsMatchesWholeNamesOnly) {
   EXPECT_FALSE(lists("", "explorer"));
   EXPECT_TRUE(lists("*", "explorer"));
   EXPECT_FALSE(lists("*", "simulator"));
+  EXPECT_FALSE(lists("*", "enfilade"));
 }
 
 }  // namespace
