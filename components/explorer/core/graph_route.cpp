@@ -31,7 +31,7 @@ void add_doors(const TopologicalMap& map, RoomId room_id, const Point2& at, cons
   for (const Door& door : map.doors) {
     const DoorFace* face = TopologicalMap::find_face(door, room_id);
     const bool usable = door.kind == DoorKind::kPassage || door.kind == DoorKind::kUnresolved;
-    if (!face || !usable || avoid.contains(door.id)) continue;
+    if (!face || !usable || door.closed || avoid.contains(door.id)) continue;
     const double length_m = before.length_m + (middle_in_map(*room, *face) - at).norm();
     open.push({length_m, door.id, room_id, before.first == 0 ? door.id : before.first});
   }

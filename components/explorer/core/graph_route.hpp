@@ -16,7 +16,8 @@ struct DoorRoute {
 };
 
 /// The nearest unresolved door over the graph: door to door across rooms (Dijkstra), through passages.
-/// `avoid` is not used, neither as target nor on the way. Nothing where no such door is left.
+/// `avoid` and doors marked closed are not used, neither as target nor on the way. Nothing where no such door
+/// is left.
 std::optional<DoorRoute> find_route(const TopologicalMap& map, RoomId room, const Point2& robot_map,
                                     const std::set<DoorId>& avoid);
 

@@ -100,15 +100,19 @@ MarkDoorOutcome TopoGraph::mark(const MarkDoorRequest& request) {
   const Door* door = state_.map.find_door(request.door);
   if (!door) {
     why_not = "there is no door " + std::to_string(request.door);
-  } else if (request.kind != DoorKind::kExit && request.kind != DoorKind::kBlocked) {
-    why_not = "a door can only be marked exit or blocked";
+  } else if (request.kind == DoorKind::kPassage ||
+             (request.kind == DoorKind::kUnresolved && !request.closed)) {
+    why_not = "a door can only be marked exit, blocked, closed or open";
   } else if (request.kind == DoorKind::kExit && door->other_face) {
     why_not = "door " + std::to_string(request.door) + " joins two rooms: it is no exit";
   }
   if (!why_not.empty()) return outcome;
-  outcome.marked = door->kind != request.kind;
+  Door marked = *door;
+  if (request.kind != DoorKind::kUnresolved) marked.kind = request.kind;
+  if (request.closed) marked.closed = *request.closed;
+  outcome.marked = !(marked == *door);
   outcome.reply.accepted = true;
-  get_door(state_, request.door).kind = request.kind;
+  get_door(state_, request.door) = marked;
   return outcome;
 }
 

@@ -35,7 +35,8 @@ class TopoGraph {
 
   FixRoomOutcome fix_room(const FixRoomRequest& request, StampNs now_ns);
   EnterZoneOutcome enter_zone(const EnterZoneRequest& request, StampNs now_ns);
-  /// Only kExit and kBlocked can be told by looking at a door; an exit has no second room.
+  /// Only kExit and kBlocked can be told by looking at a door; an exit has no second room. Any door can be
+  /// closed and opened.
   MarkDoorOutcome mark_door(const MarkDoorRequest& request, StampNs now_ns);
   /// Corrects T_map_zone by a new model of the room in which the robot is (eq. 18–19). While the zone's room
   /// is not in the graph there is nothing to compare with, and nothing is done.

@@ -41,6 +41,7 @@ Json door_feature(const TopologicalMap& map, const Door& door) {
   if (door.other_face) properties["other_room"] = door.other_face->room;
   properties["width_m"] = micro(door.face.gap.width_m());
   if (door.height_m) properties["height_m"] = micro(*door.height_m);
+  if (door.closed) properties["closed"] = true;
   const Segment face = segment_in_map(*map.find_room(door.face.room), door.face);
   Json line = door.other_face
                   ? Json::array({position(face.midpoint()), position(exports::middle(map, *door.other_face))})
@@ -77,6 +78,7 @@ std::string door_edge(const TopologicalMap& map, const Door& door) {
          data("length_m", number(exports::walk_m(map, door))) +
          data("door_width_m", number(door.face.gap.width_m()));
   if (door.thickness_m) out += data("thickness_m", number(*door.thickness_m));
+  if (door.closed) out += data("closed", "true");
   return out + "    </edge>\n";
 }
 
@@ -100,6 +102,7 @@ std::string to_graphml(const TopologicalMap& map) {
     out += fmt::format("  <key id=\"{0}\" for=\"node\" attr.name=\"{0}\" attr.type=\"double\"/>\n", key);
   out += "  <key id=\"door_kind\" for=\"edge\" attr.name=\"kind\" attr.type=\"string\"/>\n";
   out += "  <key id=\"door_width_m\" for=\"edge\" attr.name=\"width_m\" attr.type=\"double\"/>\n";
+  out += "  <key id=\"closed\" for=\"edge\" attr.name=\"closed\" attr.type=\"boolean\"/>\n";
   for (const char* key : {"length_m", "thickness_m"})
     out += fmt::format("  <key id=\"{0}\" for=\"edge\" attr.name=\"{0}\" attr.type=\"double\"/>\n", key);
   out += "  <graph id=\"building\" edgedefault=\"undirected\">\n";

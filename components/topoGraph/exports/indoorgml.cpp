@@ -9,13 +9,29 @@
 namespace enfilade::topo_graph {
 namespace {
 
-std::string gml_pos(const Point2& p) {
-  return fmt::format("<gml:pos>{} {}</gml:pos>", std::round(p.x() * 1e6) / 1e6,
-                     std::round(p.y() * 1e6) / 1e6);
+/// To the micrometre.
+std::string gml_coordinates(const Point2& p) {
+  return fmt::format("{} {}", std::round(p.x() * 1e6) / 1e6, std::round(p.y() * 1e6) / 1e6);
+}
+
+std::string gml_pos(const Point2& p) { return "<gml:pos>" + gml_coordinates(p) + "</gml:pos>"; }
+
+/// Coordinates are local, in metres: no reference system has a name for them.
+constexpr const char* kPlanar = "srsDimension=\"2\" axisLabels=\"x y\" uomLabels=\"m m\"";
+
+std::string gml_bounds(const TopologicalMap& map) {
+  if (map.rooms.empty()) return "";
+  Point2 low = map.rooms.front().T_map_room.translation(), high = low;
+  for (const Room& room : map.rooms)
+    for (const Point2& p : exports::outline(room)) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  return fmt::format(
+      "  <gml:boundedBy><gml:Envelope {}><gml:lowerCorner>{}</gml:lowerCorner>"
+      "<gml:upperCorner>{}</gml:upperCorner></gml:Envelope></gml:boundedBy>\n",
+      kPlanar, gml_coordinates(low), gml_coordinates(high));
 }
 
 std::string gml_line(const std::string& id, const std::vector<Point2>& points) {
-  std::string out = fmt::format("<gml:LineString gml:id=\"{}\">", id);
+  std::string out = fmt::format("<gml:LineString gml:id=\"{}\" {}>", id, kPlanar);
   for (const Point2& p : points) out += gml_pos(p);
   return out + "</gml:LineString>";
 }
@@ -40,10 +56,10 @@ std::string cell_space(const TopologicalMap& map, const Room& room) {
              "      <core:cellSpaceMember>\n       <core:CellSpace gml:id=\"cell{0}\">\n"
              "        <gml:name>{1}</gml:name>\n"
              "        <core:cellSpaceGeometry><core:Geometry2D><gml:Polygon "
-             "gml:id=\"polygon{0}\"><gml:exterior>"
+             "gml:id=\"polygon{0}\" {3}><gml:exterior>"
              "<gml:LinearRing>{2}</gml:LinearRing></gml:exterior></gml:Polygon></core:Geometry2D>"
              "</core:cellSpaceGeometry>\n        <core:duality xlink:href=\"#state{0}\"/>\n",
-             room.id, exports::xml(exports::room_name(room)), ring) +
+             room.id, exports::xml(exports::room_name(room)), ring, kPlanar) +
          for_transitions(map, room,
                          [](const Door& door) {
                            return fmt::format("        <core:partialboundedBy xlink:href=\"#boundary{}\"/>\n",
@@ -74,9 +90,9 @@ std::string state(const TopologicalMap& map, const Room& room) {
                                               door.id);
                          }) +
          fmt::format(
-             "           <core:geometry><gml:Point gml:id=\"point{}\">{}</gml:Point></core:geometry>\n"
+             "           <core:geometry><gml:Point gml:id=\"point{}\" {}>{}</gml:Point></core:geometry>\n"
              "          </core:State>\n         </core:stateMember>\n",
-             room.id, gml_pos(room.T_map_room.translation()));
+             room.id, kPlanar, gml_pos(room.T_map_room.translation()));
 }
 
 std::string transition(const TopologicalMap& map, const Door& door) {
@@ -115,19 +131,23 @@ std::string space_layer(const TopologicalMap& map) {
   return out;
 }
 
+std::string gml_graph(const TopologicalMap& map) {
+  if (map.rooms.empty()) return "";  // a layer has at least one state
+  return "  <core:multiLayeredGraph>\n    <core:MultiLayeredGraph gml:id=\"graph\">\n"
+         "     <core:spaceLayers gml:id=\"layers\">\n      <core:spaceLayerMember>\n"
+         "       <core:SpaceLayer gml:id=\"rooms\">\n" +
+         space_layer(map) +
+         "       </core:SpaceLayer>\n      </core:spaceLayerMember>\n     </core:spaceLayers>\n"
+         "    </core:MultiLayeredGraph>\n  </core:multiLayeredGraph>\n";
+}
+
 }  // namespace
 
 std::string to_indoorgml(const TopologicalMap& map) {
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
          "<core:IndoorFeatures gml:id=\"building\" xmlns:core=\"http://www.opengis.net/indoorgml/1.0/core\" "
          "xmlns:gml=\"http://www.opengis.net/gml/3.2\" xmlns:xlink=\"http://www.w3.org/1999/xlink\">\n" +
-         primal_space(map) +
-         "  <core:multiLayeredGraph>\n    <core:MultiLayeredGraph gml:id=\"graph\">\n"
-         "     <core:spaceLayers gml:id=\"layers\">\n      <core:spaceLayerMember>\n"
-         "       <core:SpaceLayer gml:id=\"rooms\">\n" +
-         space_layer(map) +
-         "       </core:SpaceLayer>\n      </core:spaceLayerMember>\n     </core:spaceLayers>\n"
-         "    </core:MultiLayeredGraph>\n  </core:multiLayeredGraph>\n</core:IndoorFeatures>\n";
+         gml_bounds(map) + primal_space(map) + gml_graph(map) + "</core:IndoorFeatures>\n";
 }
 
 }  // namespace enfilade::topo_graph

@@ -106,6 +106,7 @@ class MapJoiner {
     known->thickness_m = door.thickness_m;
     known->measured_thickness_m = door.measured_thickness_m;
     known->driven = door.driven;
+    known->closed |= door.closed;
     if (!known->height_m) known->height_m = door.height_m;
   }
 

@@ -14,6 +14,7 @@ namespace {
 using Outline = std::vector<Point2>;
 
 constexpr double kSqrt2 = std::numbers::sqrt2;
+constexpr double kFinest_m = 0.005, kCoarsest_m = 5.0;  // resolution
 
 Outline outline_of(const Room& room) {
   Outline outline;
@@ -44,13 +45,34 @@ Outline strip(const Point2& a, const Point2& b, double half, double longer) {
   return {from - across, to - across, to + across, from + across};
 }
 
+double drawn_wall_m(const MetricMapConfig& config) {
+  return std::max(config.wall_m, kSqrt2 * config.resolution_m);
+}
+
+/// Which cells the rooms, their walls and the margin take.
+struct Layout {
+  Point2 first, size;  // in cells
+
+  double cells() const { return size.x() * size.y(); }
+};
+
+Layout layout_of(const std::vector<Outline>& outlines, const MetricMapConfig& config) {
+  Point2 low = Point2::Constant(1e300), high = Point2::Constant(-1e300);
+  for (const Outline& outline : outlines)
+    for (const Point2& p : outline) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  const double r = config.resolution_m, margin_m = drawn_wall_m(config) + std::max(config.margin_m, r);
+  const Point2 first = ((low.array() - margin_m) / r).floor(), end = ((high.array() + margin_m) / r).ceil();
+  return {first, end - first};
+}
+
 class MetricMapPainter {
  public:
   MetricMapPainter(const TopologicalMap& map, const MetricMapConfig& config)
       : map_(map), config_(config), rooms_(choose(map, config.rooms)) {
     const double r = config.resolution_m;
-    if (!(r >= 0.005 && r <= 5.0)) throw std::invalid_argument("the resolution must lie in 0.005 … 5 m");
-    wall_m_ = std::max(config.wall_m, kSqrt2 * r);
+    if (!(r >= kFinest_m && r <= kCoarsest_m))
+      throw std::invalid_argument("the resolution must lie in 0.005 … 5 m");
+    wall_m_ = drawn_wall_m(config);
     for (std::size_t i = 0; i < rooms_.size(); ++i) {
       outlines_.push_back(outline_of(*rooms_[i]));
       number_of_[rooms_[i]->id] = static_cast<int>(i);
@@ -75,19 +97,14 @@ class MetricMapPainter {
 
  private:
   void lay_out() {
-    Point2 low = Point2::Constant(1e300), high = Point2::Constant(-1e300);
-    for (const Outline& outline : outlines_)
-      for (const Point2& p : outline) low = low.cwiseMin(p), high = high.cwiseMax(p);
-    const double r = config_.resolution_m, margin_m = wall_m_ + std::max(config_.margin_m, r);
-    const Point2 first = ((low.array() - margin_m) / r).floor(), end = ((high.array() + margin_m) / r).ceil();
-    const Point2 size = end - first;
-    if (!(size.x() * size.y() <= 268435456.0))
+    const Layout layout = layout_of(outlines_, config_);
+    if (!(layout.cells() <= 268435456.0))
       throw std::invalid_argument("the map would have more than 2^28 cells; ask for a coarser resolution");
-    grid_.resolution_m = r;
-    first_cell_ = first;
-    grid_.origin = r * first;
-    grid_.columns = static_cast<int>(size.x());
-    grid_.rows = static_cast<int>(size.y());
+    grid_.resolution_m = config_.resolution_m;
+    first_cell_ = layout.first;
+    grid_.origin = grid_.resolution_m * layout.first;
+    grid_.columns = static_cast<int>(layout.size.x());
+    grid_.rows = static_cast<int>(layout.size.y());
     grid_.cells.assign(grid_.index(0, grid_.rows), CellState::kUnexplored);
     owner_.assign(grid_.cells.size(), -1);
   }
@@ -126,7 +143,7 @@ class MetricMapPainter {
   }
 
   void paint_door(const Door& door) {
-    if (door.kind == DoorKind::kBlocked) return;
+    if (door.kind == DoorKind::kBlocked || door.closed) return;
     const bool first = number_of_.count(door.face.room) > 0;
     const bool second = door.other_face && number_of_.count(door.other_face->room) > 0;
     if (first && second) {
@@ -193,6 +210,15 @@ CellState OccupancyGrid::at(const Point2& p) const {
   const Point2 cell = ((p - origin) / resolution_m).array().floor();
   const bool inside = cell.x() >= 0 && cell.y() >= 0 && cell.x() < columns && cell.y() < rows;
   return inside ? at(static_cast<int>(cell.x()), static_cast<int>(cell.y())) : CellState::kUnexplored;
+}
+
+double resolution_within(const TopologicalMap& map, MetricMapConfig config, std::size_t most_cells) {
+  std::vector<Outline> outlines;
+  for (const Room* room : choose(map, config.rooms)) outlines.push_back(outline_of(*room));
+  while (config.resolution_m < kCoarsest_m &&
+         !(layout_of(outlines, config).cells() <= static_cast<double>(most_cells)))
+    config.resolution_m *= 2.0;
+  return config.resolution_m;
 }
 
 OccupancyGrid draw_metric_map(const TopologicalMap& map, const MetricMapConfig& config) {

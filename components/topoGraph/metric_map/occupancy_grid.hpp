@@ -44,8 +44,12 @@ struct OccupancyGrid {
 
 /// The metric map that the graph implies: rooms free, walls around them occupied, doors open. At any
 /// resolution one cannot get from one room into another but through a door, and a door is not closed by the
-/// rounding to cells; blocked doors are wall. Throws std::invalid_argument: no such room, no room at all, a
-/// resolution outside 0.005 … 5 m, or more than 2^28 cells.
+/// rounding to cells; blocked and closed doors are wall. Throws std::invalid_argument: no such room, no room
+/// at all, a resolution outside 0.005 … 5 m, or more than 2^28 cells.
 OccupancyGrid draw_metric_map(const TopologicalMap& map, const MetricMapConfig& config);
+
+/// The resolution of `config`, doubled until the map has at most `most_cells`, or cells of 5 m. Throws
+/// std::invalid_argument where there is no room.
+double resolution_within(const TopologicalMap& map, MetricMapConfig config, std::size_t most_cells);
 
 }  // namespace enfilade::topo_graph

@@ -66,8 +66,11 @@ std::string tell(const EnterZoneOutcome& outcome, const CurrentZone& zone) {
 }
 
 std::string tell(const MarkDoorRequest& request) {
-  return name("door", request.door) +
-         (request.kind == DoorKind::kExit ? " leads outside" : " is no way through");
+  std::string text = name("door", request.door);
+  if (request.kind != DoorKind::kUnresolved)
+    text += request.kind == DoorKind::kExit ? " leads outside" : " is no way through";
+  if (request.closed) text += *request.closed ? " is closed" : " is open";
+  return text;
 }
 
 std::string tell(const ObserveOutcome& outcome, const TopologicalMap& map) {

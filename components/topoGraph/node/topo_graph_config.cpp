@@ -67,6 +67,11 @@ void bind(ConfigBinder& c, MapMinimiserConfig& config) {
   c.number("withdraw_weight", config.withdraw_weight, 0.0, 0.99);
 }
 
+void bind(ConfigBinder& c, MetricMapPublisherConfig& config) {
+  c.number("resolution_m", config.resolution_m, 0.0, 5.0);
+  c.integer("max_cells", config.max_cells, 1, 50'000'000);
+}
+
 void bind(ConfigBinder& c, LocaliserConfig& config) {
   c.number("size_sigma_m", config.size_sigma_m, 0.005, 1.0);
   c.number("door_sigma_m", config.door_sigma_m, 0.01, 2.0);
@@ -87,6 +92,8 @@ void bind(ConfigBinder& c, TopoGraphConfig& config) {
   c.integer("journal_kib", config.journal_kib, 1, 65536);
   c.flag("resume", config.resume);
   c.flag("locate", config.locate);
+  c.number("estimate_period_s", config.estimate_period_s, 0.0, 60.0);
+  c.group("metric_map", [&](ConfigBinder& group) { bind(group, config.metric_map); });
   c.number("inside_room_m", graph.changer.inside_room_m, 0.0, 2.0);
   c.integer("remembered_answers", graph.remembered_answers, 1, 10000);
   c.group("common_door", [&](ConfigBinder& group) { bind(group, graph.fixer.common_door); });

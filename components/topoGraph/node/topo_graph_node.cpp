@@ -6,12 +6,16 @@
 #include <utility>
 
 #include "components/topoGraph/node/story.hpp"
+#include "components/topoGraph/routes/route_answer.hpp"
 #include "components/topoGraph/storage/map_folder.hpp"
 
 namespace enfilade::topo_graph {
 
 TopoGraphNode::TopoGraphNode(const NodeContext& context, const TopoGraphConfig& config)
-    : context_(context), config_(config), graph_(config.graph, first_state(context.clock.now_ns())) {}
+    : context_(context),
+      config_(config),
+      graph_(config.graph, first_state(context.clock.now_ns())),
+      metric_map_(context, config.metric_map) {}
 
 void TopoGraphNode::initialize() {
   const KeptState start = start_state();
@@ -29,6 +33,13 @@ void TopoGraphNode::initialize() {
 
 void TopoGraphNode::shutdown() {
   if (store_) store_->end(graph_.state());
+}
+
+/// The metric map comes after the answers to what has changed the graph: nobody waits for its drawing.
+void TopoGraphNode::compute() {
+  look_at_estimate();
+  publish_transform();
+  metric_map_.update(graph_.state().map);
 }
 
 KeptState TopoGraphNode::start_state() {
@@ -55,14 +66,20 @@ void TopoGraphNode::open_topics() {
   zone_ = context_.bus.advertise(topics::kCurrentZone);
   correction_ = context_.bus.advertise(topics::kPoseCorrection);
   tf_ = context_.bus.advertise(topics::kTf);
+  metric_map_.open();
   serve<FixRoomRequest, FixRoomReply>(context_.bus, topics::kFixRoom,
                                       [this](const auto& q) { return on_fix_room(q); });
   serve<EnterZoneRequest, EnterZoneReply>(context_.bus, topics::kEnterZone,
                                           [this](const auto& q) { return on_enter_zone(q); });
   serve<MarkDoorRequest, MarkDoorReply>(context_.bus, topics::kMarkDoor,
                                         [this](const auto& q) { return on_mark_door(q); });
-  context_.bus.subscribe<RoomEstimate>(topics::kRoomEstimate,
-                                       [this](const RoomEstimate& e) { on_estimate(e); });
+  // A repeated request gets what is true now.
+  serve<RouteRequest, RouteReply>(context_.bus, topics::kRoute,
+                                  [this](const auto& q) { return answer_route(graph_.state().map, q); });
+  context_.bus.subscribe<RoomEstimate>(topics::kRoomEstimate, [this](const RoomEstimate& e) {
+    estimate_ = e;
+    look_at_estimate();
+  });
   context_.bus.subscribe<TransformList>(topics::kTf, [this](const TransformList& list) {
     const auto told = find_zone_odom(list);
     if (!told || *told == T_zone_odom_) return;
@@ -102,7 +119,13 @@ MarkDoorReply TopoGraphNode::on_mark_door(const MarkDoorRequest& request) {
   return outcome.reply;
 }
 
-void TopoGraphNode::on_estimate(const RoomEstimate& estimate) {
+/// There is one for each scan line. Those of one sweep are no independent witnesses, and every correction is
+/// a change to be kept.
+void TopoGraphNode::look_at_estimate() {
+  const StampNs now_ns = context_.clock.now_ns();
+  if (!estimate_ || (looked_ns_ && seconds(now_ns - *looked_ns_) < config_.estimate_period_s)) return;
+  looked_ns_ = now_ns;
+  const RoomEstimate estimate = *std::exchange(estimate_, std::nullopt);
   const TopoState before = graph_.state();
   const ObserveOutcome outcome = graph_.observe(estimate);
   if (outcome.odometry_restarted && !outcome.room_found_again) warn_of_lost_zone(estimate);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "components/topoGraph/core/topo_graph.hpp"
+#include "components/topoGraph/node/metric_map_publisher.hpp"
 #include "components/topoGraph/node/topo_graph_config.hpp"
 #include "components/topoGraph/storage/map_store.hpp"
 #include "interfaces/runtime/service.hpp"
@@ -19,7 +20,7 @@ class TopoGraphNode final : public Node {
   TopoGraphNode(const NodeContext& context, const TopoGraphConfig& config);
 
   void initialize() override;
-  void compute() override { publish_transform(); }
+  void compute() override;
   void shutdown() override;
 
  private:
@@ -29,7 +30,7 @@ class TopoGraphNode final : public Node {
   FixRoomReply on_fix_room(const FixRoomRequest& request);
   EnterZoneReply on_enter_zone(const EnterZoneRequest& request);
   MarkDoorReply on_mark_door(const MarkDoorRequest& request);
-  void on_estimate(const RoomEstimate& estimate);
+  void look_at_estimate();
   void warn_of_lost_zone(const RoomEstimate& estimate);
   std::optional<std::string> commit(const TopoState& before);
   void announce(const TopoState& before);
@@ -39,6 +40,8 @@ class TopoGraphNode final : public Node {
   TopoGraphConfig config_;
   TopoGraph graph_;
   std::optional<MapStore> store_;  ///< where there is a map_file
+  std::optional<RoomEstimate> estimate_;  ///< the newest that was not looked at yet
+  std::optional<StampNs> looked_ns_;
   std::optional<std::uint32_t> lost_in_boot_;
   bool write_failed_ = false;
   Pose2 T_zone_odom_;  ///< as gridBuilder tells it
@@ -46,6 +49,7 @@ class TopoGraphNode final : public Node {
   Publisher<CurrentZone> zone_;
   Publisher<PoseCorrection> correction_;
   Publisher<TransformList> tf_;
+  MetricMapPublisher metric_map_;
 };
 
 }  // namespace enfilade::topo_graph

@@ -33,7 +33,8 @@ RouteSearch make_search(const TopologicalMap& map, const std::set<DoorId>& close
                                 segment_in_map(*rooms.at(far.room), far).midpoint()});
   };
   for (const Door& door : map.doors) {
-    if (door.kind != DoorKind::kPassage || !door.other_face || closed.count(door.id)) continue;
+    if (door.kind != DoorKind::kPassage || !door.other_face) continue;
+    if (door.closed || closed.count(door.id)) continue;
     add(door, door.face, *door.other_face);
     add(door, *door.other_face, door.face);
   }

@@ -125,6 +125,7 @@ std::string map_text::door(const Door& door) {
   if (door.measured_thickness_m)
     out += "    measured_thickness_m: " + number(*door.measured_thickness_m) + "\n";
   if (door.driven) out += "    driven: true\n";
+  if (door.closed) out += "    closed: true\n";
   return out;
 }
 

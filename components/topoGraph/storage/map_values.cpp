@@ -115,6 +115,7 @@ Door read_door(const YamlValue& value, const TopologicalMap* graph) {
   if (const auto measured = map.take_if_present("measured_thickness_m"))
     door.measured_thickness_m = measured->number();
   if (const auto driven = map.take_if_present("driven")) door.driven = driven->flag();
+  if (const auto closed = map.take_if_present("closed")) door.closed = closed->flag();
   map.finish();
   if (door.kind == DoorKind::kPassage && !door.other_face) kind.fail("a passage has an other_face");
   return door;

@@ -41,6 +41,14 @@ TEST(GraphRoute, GoesThroughOtherRoomsToTheLastDoor) {
   EXPECT_NEAR(route->length_m, 10.0, 1e-9);
 }
 
+TEST(GraphRoute, UsesNoDoorThatIsClosed) {
+  auto map = three_rooms();
+  map.doors[3].closed = true;
+  EXPECT_EQ(find_route(map, 1, {0, 0}, {})->target, 3u);
+  map.doors[0].closed = true;
+  EXPECT_FALSE(find_route(map, 1, {0, 0}, {}));
+}
+
 TEST(GraphRoute, FindsNothingWhenEveryDoorIsResolvedOrAvoided) {
   auto map = three_rooms();
   EXPECT_FALSE(find_route(map, 1, {0, 0}, {3, 4}));

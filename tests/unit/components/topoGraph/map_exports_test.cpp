@@ -100,6 +100,9 @@ TEST(MetricMap, JoinsRoomsByTheirDoorsAloneAtAnyResolutionAndAngle) {
       EXPECT_TRUE(joined()) << resolution_m << " m, " << yaw;
       map.doors[0].kind = DoorKind::kBlocked;
       EXPECT_FALSE(joined()) << resolution_m << " m, " << yaw;
+      map.doors[0].kind = DoorKind::kPassage;
+      map.doors[0].closed = true;
+      EXPECT_FALSE(joined()) << resolution_m << " m, " << yaw;
     }
   }
 }
@@ -180,6 +183,8 @@ TEST(Route, GoesRoundAClosedDoorOrNotAtAll) {
   EXPECT_EQ(round->legs[0].door, DoorId{9});
   EXPECT_GT(round->length_m, find_route(map, from, to)->length_m);
   EXPECT_FALSE(find_route(map, from, to, {2}));
+  map.doors[0].closed = true;
+  EXPECT_EQ(find_route(map, from, to), round);
   EXPECT_NEAR(find_route(map, from, {1, {1.0, 0.0}})->length_m, 1.0, 1e-12);
 }
 

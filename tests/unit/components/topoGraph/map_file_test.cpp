@@ -30,6 +30,7 @@ MapFile rich_file() {
   fix_room2(graph, {1.0 / 3.0, 0.05, 1e-3}, {door_from_room2(), open_door(0, 1.0, 2.0)});
   graph.mark_door({{"name: \"odd\\\n é\t#", 7}, 2, DoorKind::kExit}, 3);
   graph.mark_door({{"", std::numeric_limits<std::uint64_t>::max()}, 99, DoorKind::kExit}, 3);
+  graph.mark_door({{"", 8}, 1, DoorKind::kUnresolved, true}, 3);
   TopoState state = graph.state();
   state.map.rooms[0].covariance.emplace();
   for (std::size_t i = 0; i < 25; ++i)

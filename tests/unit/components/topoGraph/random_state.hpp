@@ -123,6 +123,7 @@ class RandomState {
     if (below(2)) door.thickness_m = 0.15;
     if (below(2)) door.height_m = 2.0 + real();
     door.driven = below(2) == 1;
+    door.closed = below(2) == 1;
     door.face.position_sigma_m = static_cast<double>(below(3)) / 10.0;
     if (below(2)) door.face.measured_offset_m = real();
   }

@@ -233,5 +233,23 @@ TEST(TopoGraph, MarksExitsAndBlockedDoors) {
   EXPECT_TRUE(graph.mark_door({call(10), 1, DoorKind::kBlocked}, 1).reply.accepted);
 }
 
+TEST(TopoGraph, ClosesAndOpensDoorsAndLeavesThemWhatTheyAre) {
+  TopoGraph graph = graph_in_zone2();
+  fix_room2(graph, {});
+  const auto mark = [&graph](std::uint64_t number, std::optional<bool> closed) {
+    return graph.mark_door({call(number), 1, DoorKind::kUnresolved, closed}, 1);
+  };
+  const Door before = *graph.state().map.find_door(1);
+  const std::uint64_t version = graph.state().map.version;
+  EXPECT_TRUE(mark(8, true).marked);
+  EXPECT_TRUE(graph.state().map.find_door(1)->closed);
+  EXPECT_EQ(graph.state().map.find_door(1)->kind, DoorKind::kPassage);
+  EXPECT_EQ(graph.state().map.version, version + 1);
+  EXPECT_FALSE(mark(9, true).marked);  // it is closed already
+  EXPECT_TRUE(mark(10, false).marked);
+  EXPECT_EQ(*graph.state().map.find_door(1), before);
+  EXPECT_FALSE(mark(11, std::nullopt).reply.accepted);
+}
+
 }  // namespace
 }  // namespace enfilade::topo_graph
