@@ -14,6 +14,11 @@ Cell CellStore::find(const CellIndex& c) const {
                               : static_cast<Cell>((*tile->second)[offset_in_tile(c)] & ~kTouched);
 }
 
+const Tile* CellStore::find_tile(const CellIndex& c) const {
+  const auto tile = tiles_.find(tile_key(c));
+  return tile == tiles_.end() ? nullptr : tile->second.get();
+}
+
 void CellStore::clear() {
   tiles_.clear();
   recent_.fill({});

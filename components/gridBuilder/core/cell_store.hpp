@@ -52,9 +52,16 @@ class CellStore {
 
   /// kUnexplored where nothing is known.
   Cell find(const CellIndex& c) const;
+  /// Null where there is none.
+  const Tile* find_tile(const CellIndex& c) const;
   void clear();
   std::size_t tile_count() const { return tiles_.size(); }
 
+  /// Visits the first cell of each tile, in no order to rely on.
+  template <class Visit>
+  void for_each_tile(Visit&& visit) const {
+    for (const auto& [key, tile] : tiles_) visit(cell_index(key, 0));
+  }
   /// Visits the known cells, in no order to rely on.
   template <class Visit>
   void for_each_known(Visit&& visit) const {

@@ -83,6 +83,14 @@ void ZoneGrid::clear() {
 
 CellState ZoneGrid::state(const CellIndex& cell) const { return certainties_.state(cells_.find(cell)); }
 
+std::array<CellState, kTileCells> ZoneGrid::tile_states(const CellIndex& cell) const {
+  std::array<CellState, kTileCells> states{};
+  const Tile* tile = cells_.find_tile(cell);
+  for (std::size_t i = 0; tile && i < kTileCells; ++i)
+    states[i] = certainties_.state(static_cast<Cell>((*tile)[i] & ~kTouched));
+  return states;
+}
+
 std::optional<double> ZoneGrid::probability(const CellIndex& index) const {
   const Cell cell = cells_.find(index);
   if (!is_known(cell)) return std::nullopt;

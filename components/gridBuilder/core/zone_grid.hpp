@@ -63,6 +63,13 @@ class ZoneGrid {
   CellIndex cell_at(const Point3f& point) const { return cell_of(to_vector(point) * cells_per_m_); }
 
   const ZoneGridConfig& config() const { return config_; }
+  /// The cells of the tile that holds `cell`, in the order of offset_in_tile().
+  std::array<CellState, kTileCells> tile_states(const CellIndex& cell) const;
+  /// Visits the first cell of each tile, in no order to rely on.
+  template <class Visit>
+  void for_each_tile(Visit&& visit) const {
+    cells_.for_each_tile(visit);
+  }
   /// Visits the known cells and their log-odds, in no order to rely on.
   template <class Visit>
   void for_each_known(Visit&& visit) const {

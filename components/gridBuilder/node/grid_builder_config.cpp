@@ -52,6 +52,13 @@ void bind_registration(ConfigBinder& c, ScanRegistrarConfig& r) {
   c.group("drift", [&](ConfigBinder& g) { bind_drift(g, r.drift); });
 }
 
+void bind_pictures(ConfigBinder& c, PicturePublisherConfig& config) {
+  c.number("period_s", config.period_s, 0.0, 3600.0);
+  c.number("floor_from_m", config.pictures.floor_from_m, -1.0, 10.0);
+  c.number("floor_to_m", config.pictures.floor_to_m, 0.0, 30.0);
+  c.integer("max_floor_cells", config.pictures.max_floor_cells, 4, 50'000'000);
+}
+
 }  // namespace
 
 void bind(ConfigBinder& c, GridBuilderConfig& config) {
@@ -62,6 +69,7 @@ void bind(ConfigBinder& c, GridBuilderConfig& config) {
   c.group("grid", [&](ConfigBinder& g) { bind_grid(g, config.grid); });
   c.flag("register_scans", config.registration.register_scans);
   c.group("registration", [&](ConfigBinder& g) { bind_registration(g, config.registration); });
+  c.group("pictures", [&](ConfigBinder& g) { bind_pictures(g, config.pictures); });
   c.group("odometry", [&](ConfigBinder& g) { bind_odometry(g, config.odometry); });
 }
 

@@ -5,6 +5,7 @@
 #include "components/gridBuilder/core/scan_registrar.hpp"
 #include "components/gridBuilder/core/zone_gate.hpp"
 #include "components/gridBuilder/core/zone_grid.hpp"
+#include "components/gridBuilder/node/picture_publisher.hpp"
 #include "interfaces/runtime/config.hpp"
 
 namespace enfilade::grid_builder {
@@ -15,6 +16,7 @@ struct GridBuilderConfig {
   ZoneGridConfig grid;
   OdometryBufferConfig odometry;
   ScanRegistrarConfig registration;
+  PicturePublisherConfig pictures;
   int max_waiting_lines = 200;  ///< lines that wait for odometry or for the place of the sensor
 };
 

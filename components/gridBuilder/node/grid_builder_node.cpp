@@ -13,6 +13,7 @@ namespace {
 
 constexpr const char* kBaseFrame = "base_link";
 constexpr const char* kLaserFrame = "laser";
+constexpr const char* kZoneFrame = "zone";
 constexpr int kFusedPerLine = 3;  // of the lines that have waited, with each that comes
 constexpr int kFusedPerPeriod = 12;
 constexpr int kPeriodsForDrift = 10;
@@ -35,13 +36,15 @@ GridBuilderNode::GridBuilderNode(const NodeContext& context, const GridBuilderCo
       grid_(config.grid),
       odometry_(config.odometry),
       lines_(config.max_waiting_lines),
-      registrar_(config.registration) {}
+      registrar_(config.registration),
+      pictures_(context, config.pictures, grid_, config.gate.stationary ? kBaseFrame : kZoneFrame) {}
 
 void GridBuilderNode::initialize() {
   Bus& bus = context_.bus;
   changes_ = bus.advertise(topics::kGridChange);
   hits_ = bus.advertise(topics::kScanHits);
   tf_ = bus.advertise(topics::kTf);
+  pictures_.open();
   serve<GridSnapshotRequest, GridSnapshotReply>(bus, topics::kGridSnapshot,
                                                 [this](const GridSnapshotRequest&) { return snapshot(); });
   bus.subscribe<TransformList>(topics::kTf, [this](const TransformList& t) { take_tf(t); });
@@ -122,6 +125,7 @@ void GridBuilderNode::take_motor_state(const MotorState& state) {
 
 void GridBuilderNode::start_grid() {
   grid_.clear();
+  pictures_.grid_cleared();
   registrar_.forget_lines();
   settled_.clear();
   memory_told_ = false;
@@ -176,7 +180,7 @@ void GridBuilderNode::fuse(int most) {
 void GridBuilderNode::publish_zone_frame() {
   if (!drift_known_ || config_.gate.stationary) return;
   tf_.publish(
-      {{{context_.clock.now_ns(), "odom", "zone", to_transform3(registrar_.T_zone_odom().inverse())}}});
+      {{{context_.clock.now_ns(), "odom", kZoneFrame, to_transform3(registrar_.T_zone_odom().inverse())}}});
 }
 
 void GridBuilderNode::insert(const BaseLine& line, const Pose2& T_zone_base) {
@@ -185,6 +189,7 @@ void GridBuilderNode::insert(const BaseLine& line, const Pose2& T_zone_base) {
     context_.log.warn("the grid is full: raise grid.max_memory_mb or lower grid.max_range_m");
   }
   newest_line_ns_ = std::max(newest_line_ns_, line.stamp_ns);
+  pictures_.line_fused(update, line.stamp_ns, T_zone_base);
   if (!line.has_hits && update.changes.empty()) return;
   gate_.next_sequence();
   changes_.publish(change(newest_line_ns_, std::move(update.changes)));

@@ -7,6 +7,7 @@
 #include "components/gridBuilder/core/line_placement.hpp"
 #include "components/gridBuilder/core/scan_registrar.hpp"
 #include "components/gridBuilder/node/grid_builder_config.hpp"
+#include "components/gridBuilder/node/picture_publisher.hpp"
 #include "interfaces/runtime/node.hpp"
 #include "interfaces/runtime/service.hpp"
 #include "interfaces/topics/topics.hpp"
@@ -65,6 +66,7 @@ class GridBuilderNode : public Node {
   Publisher<GridChange> changes_;
   Publisher<ScanHits> hits_;
   Publisher<TransformList> tf_;
+  PicturePublisher pictures_;
 };
 
 }  // namespace enfilade::grid_builder

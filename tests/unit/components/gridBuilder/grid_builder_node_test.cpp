@@ -270,6 +270,34 @@ TEST_F(GridBuilderNodeTest, AnswersWithASnapshotThatEqualsItsChanges) {
   EXPECT_EQ(reply->snapshot.cells, cells);
 }
 
+TEST_F(GridBuilderNodeTest, ShowsItsGridToThoseWhoLookAndAtMostOnceAPeriod) {
+  start_sweeping();
+  const BoxRoom room;
+  const auto see_room = [&](double stamp_s) {
+    PointCloud cloud{from_seconds(stamp_s), "base_link", room.scan(0, {0.1, 0.0, 0.6}, stamp_s, 361).hits};
+    harness_->publish(topics::kPoints, cloud);
+  };
+  for (int i = 0; i < 20; ++i) see_room(2.0 + 0.025 * i);
+  harness_->advance_s(1.5);
+  auto& octrees = harness_->collect(topics::kOctomap);
+  auto& floors = harness_->collect(topics::kLocalMap);
+  harness_->advance_s(3.0);
+  ASSERT_EQ(octrees.size(), 1u);  // nothing has changed since
+  ASSERT_EQ(floors.size(), 1u);
+  EXPECT_EQ(octrees[0].frame_id, "zone");
+  EXPECT_EQ(octrees[0].stamp_ns, from_seconds(2.475));
+  EXPECT_EQ(octrees[0].resolution_m, 0.05);
+  EXPECT_EQ(floors[0].frame_id, "zone");
+  EXPECT_GT(std::ranges::count(floors[0].cells, OccupancyMap::kFree), 1000);
+  for (int i = 0; i < 20; ++i) see_room(3.0 + 0.025 * i);
+  harness_->advance_s(3.0);
+  ASSERT_EQ(octrees.size(), 2u);
+  EXPECT_GT(octrees[1].data.size(), octrees[0].data.size());
+  tell_zone(2, 5.0);
+  harness_->advance_s(3.0);
+  EXPECT_EQ(octrees.size(), 2u);  // there is nothing to show yet
+}
+
 TEST_F(GridBuilderNodeTest, NeedsNothingButPointsAndTheMountWhenStationary) {
   GridBuilderConfig config;
   config.gate.stationary = true;
