@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "components/roomDetector/core/gap_runs.hpp"
 #include "components/roomDetector/core/wall_profile.hpp"
@@ -23,8 +24,14 @@ struct Wall {
   int index;
   std::vector<WallSlice> slices;
   Levels band;
-  std::vector<HitByWall> hits;
+  std::span<const WallPoint> returns;
   std::span<const Sighting> sightings;
+  mutable std::optional<std::vector<HitByWall>> hits = {};  ///< of the returns, once they are asked for
+
+  const std::vector<HitByWall>& hits_of(const JambFitConfig& jamb) const {
+    if (!hits) hits = hits_by_wall(returns, rectangle, index, jamb);
+    return *hits;
+  }
 };
 
 std::size_t slices_of(double metres, double resolution_m) {
@@ -150,7 +157,8 @@ void report(const Wall& wall, const Run& run, GapDiagnostics seen, const Judgeme
   door.evidence.occupied_share = seen.occupied_share;
   door.evidence.free_share = seen.free_share;
   if (door.state != DoorState::kUnexplored) {
-    const FittedGap fitted = fit_jambs(wall.hits, seen.gap, config.jamb, wall.map.resolution_m());
+    const FittedGap fitted =
+        fit_jambs(wall.hits_of(config.jamb), seen.gap, config.jamb, wall.map.resolution_m());
     door.gap = seen.gap = fitted.gap;
     seen.from_sigma_m = fitted.from_sigma_m;
     seen.to_sigma_m = fitted.to_sigma_m;
@@ -216,10 +224,7 @@ WallGaps DoorFinder::find(const ColumnMap& map, const Rectangle& rectangle, std:
   WallGaps gaps;
   double unexplored = 0.0, slices = 0.0;
   for (int i = 0; i < 4; ++i) {
-    const Wall wall{map,      rectangle,
-                    i,        profile_wall(map, rectangle, i),
-                    band,     hits_by_wall(hits, rectangle, i, config_.jamb),
-                    sightings};
+    const Wall wall{map, rectangle, i, profile_wall(map, rectangle, i), band, hits, sightings};
     find_in(wall, config_, gaps);
     const auto size = static_cast<double>(wall.slices.size());
     unexplored += size * shares_of(wall.slices, 0, wall.slices.size(), band).unknown();

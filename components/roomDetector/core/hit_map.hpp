@@ -41,6 +41,11 @@ class HitMap {
   /// Mean positions of the returns in the cells of a band of heights.
   std::vector<WallPoint> points(const WallBand& band) const { return points(band.from, band.to); }
   std::vector<WallPoint> points(int from_level, int to_level) const;
+  /// Calls visit(mean position, count) for every cell.
+  template <class Visit>
+  void for_each(Visit&& visit) const {
+    for (const Sum& cell : cells_) visit(Point2(cell.x_m / cell.count, cell.y_m / cell.count), cell.count);
+  }
   /// The returns of the levels, summed up by upright column, in the order of first sight.
   std::vector<Sum> columns(int from_level, int to_level) const;
 

@@ -31,9 +31,10 @@ Point2 shift_at(const Pose2& correction, const Point2& stand) { return correctio
 
 std::vector<WallPoint> corrected(const StandPoints& stand, const Pose2& correction) {
   std::vector<WallPoint> points = stand.points;
+  const PointMover move(correction);
   for (WallPoint& point : points) {
-    point.position = correction * point.position;
-    point.per_range = rotate(correction.yaw_rad, point.per_range);
+    point.position = move(point.position);
+    point.per_range = move.turned(point.per_range);
   }
   return points;
 }
@@ -64,22 +65,29 @@ void add_stand(System& s, const StandPoints& stand, const Pose2& correction, std
   const int first = index > 0 ? first_unknown(index) : 5;
   Eigen::Matrix<double, 8, 8> normal = Eigen::Matrix<double, 8, 8>::Zero(), noise = normal;
   Eigen::Matrix<double, 8, 1> rhs = Eigen::Matrix<double, 8, 1>::Zero(), per_bias = rhs;
+  const PointMover move(correction);
+  const WallSights sights(r, config.last_gate_m, config.corner_m);
+  const std::array<Point2, 4> normals{r.normal(0), r.normal(1), r.normal(2), r.normal(3)};
   for (const WallPoint& point : stand.points) {
-    const Point2 q = correction * point.position;
-    const WallSight sight = sight_of(q, r, config.last_gate_m, config.corner_m);
+    const Point2 q = move(point.position);
+    const WallSight sight = sights.of(q);
     if (sight.wall < 0) continue;
     const double share = tukey(sight.residual_m, config.last_gate_m), w = point.weight * share;
-    const Point2 n = r.normal(sight.wall);
-    Eigen::Matrix<double, 8, 1> j = Eigen::Matrix<double, 8, 1>::Zero();
-    j[0] = sight.along_m;
-    j[1 + sight.wall] = -1.0;
-    if (index > 0) j.tail<3>() << n.x(), n.y(), n.dot(left_of(q - base));
-    normal += w * j * j.transpose();
-    const double along_beam = n.dot(rotate(correction.yaw_rad, point.per_range));
+    const Point2& n = normals[static_cast<std::size_t>(sight.wall)];
+    // The entries of the Jacobian's row that are not zero.
+    const std::array<int, 5> at{0, 1 + sight.wall, 5, 6, 7};
+    const std::array<double, 5> j{sight.along_m, -1.0, n.x(), n.y(), n.dot(left_of(q - base))};
+    const std::size_t entries = index > 0 ? 5 : 2;
+    const double along_beam = n.dot(move.turned(point.per_range));
     const double slant = point.per_range.isZero() ? 1.0 : along_beam * along_beam;
-    noise += w * share * slant * j * j.transpose();
-    rhs -= w * sight.residual_m * j;
-    per_bias -= w * along_beam * j;
+    for (std::size_t a = 0; a < entries; ++a) {
+      for (std::size_t b = 0; b < entries; ++b) {
+        normal(at[a], at[b]) += w * j[a] * j[b];
+        noise(at[a], at[b]) += w * share * slant * j[a] * j[b];
+      }
+      rhs[at[a]] -= w * sight.residual_m * j[a];
+      per_bias[at[a]] -= w * along_beam * j[a];
+    }
     s.support[static_cast<std::size_t>(sight.wall)] += point.weight;
     s.weight += w;
     s.squares += w * sight.residual_m * sight.residual_m;

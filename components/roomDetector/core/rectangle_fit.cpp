@@ -23,8 +23,9 @@ WallStep step_to_densest(std::span<const WallPoint> points, const Rectangle& r, 
   const int half = std::max(1, static_cast<int>(std::ceil(reach_m / kModeBin_m)));
   std::array<std::vector<double>, 4> histograms;
   histograms.fill(std::vector<double>(static_cast<std::size_t>(2 * half + 2), 0.0));
+  const WallSights sights(r, reach_m, corner_m);
   for (const WallPoint& point : points) {
-    const WallSight s = sight_of(point.position, r, reach_m, corner_m);
+    const WallSight s = sights.of(point.position);
     if (s.wall < 0) continue;
     const int bin = std::clamp(static_cast<int>(std::floor(s.residual_m / kModeBin_m)) + half, 0, 2 * half);
     histograms[static_cast<std::size_t>(s.wall)][static_cast<std::size_t>(bin)] += point.weight;
@@ -86,9 +87,9 @@ RectangleFit result_at(std::span<const WallPoint> points, const Rectangle& r,
 /// The points that can come to lie near a wall: all others need not be looked at in every iteration.
 std::vector<WallPoint> points_near(std::span<const WallPoint> points, const Rectangle& r, double distance_m) {
   std::vector<WallPoint> near;
-  for (const WallPoint& point : points) {
-    if (sight_of(point.position, r, distance_m, -distance_m).wall >= 0) near.push_back(point);
-  }
+  const WallSights sights(r, distance_m, -distance_m);
+  for (const WallPoint& point : points)
+    if (sights.of(point.position).wall >= 0) near.push_back(point);
   return near;
 }
 

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <unordered_set>
 
+#include "components/roomDetector/core/point_mover.hpp"
+
 namespace enfilade::room_detector {
 namespace {
 
@@ -123,25 +125,34 @@ std::vector<WallPoint> RoomDetector::door_hits(const Detection& d) const {
   std::vector<WallPoint> hits;
   for (std::size_t i = 0; i < stands_.all().size(); ++i) {
     const auto& corrections = d.diagnostics.corrections;
-    const Pose2 correction = i < corrections.size() ? corrections[i] : Pose2{};
-    for (WallPoint point : stands_.all()[i].fine_hits.points(0, kLevels)) {
-      point.position = correction * point.position;
-      hits.push_back(point);
-    }
+    const PointMover move(i < corrections.size() ? corrections[i] : Pose2{});
+    stands_.all()[i].fine_hits.for_each([&](const Point2& at, double count) {
+      hits.push_back({move(at), count});
+    });
   }
   return hits;
 }
 
+/// Of what lies outside the room, since nothing else was seen through a gap; and one more, which tells that
+/// somebody has looked.
 std::vector<Sighting> RoomDetector::sightings(const Detection& d) const {
   std::vector<Sighting> seen;
+  const Rectangle& room = d.estimate.rectangle;
+  const PointMover into_room(room.pose().inverse());
+  const auto is_outside = [&](const Point2& p) {
+    const Point2 local = into_room(p).cwiseAbs();
+    return local.x() > 0.5 * room.width_m || local.y() > 0.5 * room.height_m;
+  };
   for (std::size_t i = 0; i < stands_.all().size(); ++i) {
     const Stand& stand = stands_.all()[i];
     if (stand.merged > 0) continue;
     const auto& corrections = d.diagnostics.corrections;
-    const Pose2 correction = i < corrections.size() ? corrections[i] : Pose2{};
-    const Point2 from = correction * stand.T_zone_base.translation();
-    for (const WallPoint& point : stand.hits.points(0, kLevels))
-      seen.push_back({from, correction * point.position, point.weight});
+    const PointMover move(i < corrections.size() ? corrections[i] : Pose2{});
+    const Point2 from = move(stand.T_zone_base.translation());
+    stand.hits.for_each([&](const Point2& at, double count) {
+      const Point2 moved = move(at);
+      if (seen.empty() || is_outside(moved)) seen.push_back({from, moved, count});
+    });
   }
   return seen;
 }

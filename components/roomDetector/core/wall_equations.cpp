@@ -10,19 +10,24 @@ double tukey(double residual_m, double gate_m) {
   return std::abs(u) < 1.0 ? (1.0 - u * u) * (1.0 - u * u) : 0.0;
 }
 
-WallSight sight_of(const Point2& q, const Rectangle& r, double gate_m, double corner_m) {
-  const Point2 local = rotate(-r.yaw_rad, q - Point2(r.x_m, r.y_m));
+WallSights::WallSights(const Rectangle& r, double gate_m, double corner_m)
+    : centre_(r.x_m, r.y_m),
+      into_rectangle_({0.0, 0.0, -r.yaw_rad}),
+      distance_m_{0.5 * r.width_m, 0.5 * r.height_m},
+      reach_m_{0.5 * r.wall_length_m(0) - corner_m, 0.5 * r.wall_length_m(1) - corner_m},
+      gate_m_(gate_m) {}
+
+WallSight WallSights::of(const Point2& q) const {
+  const Point2 local = into_rectangle_.turned(q - centre_);
   // Outward and along (counter-clockwise) coordinates of walls 0 … 3.
   const std::array<double, 4> out{local.x(), local.y(), -local.x(), -local.y()};
   const std::array<double, 4> along{local.y(), -local.x(), -local.y(), local.x()};
-  WallSight best{-1, gate_m, 0.0};
-  for (int i = 0; i < 4; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const double distance = i % 2 == 0 ? 0.5 * r.width_m : 0.5 * r.height_m;
-    const double residual = out[k] - distance;
+  WallSight best{-1, gate_m_, 0.0};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double residual = out[i] - distance_m_[i % 2];
     if (std::abs(residual) >= std::abs(best.residual_m)) continue;
-    if (std::abs(along[k]) > 0.5 * r.wall_length_m(i) - corner_m) continue;
-    best = {i, residual, along[k]};
+    if (std::abs(along[i]) > reach_m_[i % 2]) continue;
+    best = {static_cast<int>(i), residual, along[i]};
   }
   return best;
 }
@@ -30,19 +35,24 @@ WallSight sight_of(const Point2& q, const Rectangle& r, double gate_m, double co
 WallEquations wall_equations(std::span<const WallPoint> points, const Rectangle& r, double gate_m,
                              double corner_m) {
   WallEquations e;
+  const WallSights sights(r, gate_m, corner_m);
   for (const WallPoint& point : points) {
-    const WallSight s = sight_of(point.position, r, gate_m, corner_m);
+    const WallSight s = sights.of(point.position);
     if (s.wall < 0) continue;
     const double w = point.weight * tukey(s.residual_m, gate_m);
-    // n_i(α + δα) ≈ n_i + δα t_i: the residual after the step is residual + δα · along − δo_i.
-    WallStep j = WallStep::Zero();
-    j[0] = s.along_m;
-    j[1 + s.wall] = -1.0;
-    e.normal += w * j * j.transpose();
-    e.rhs -= w * s.residual_m * j;
+    // n_i(α + δα) ≈ n_i + δα t_i: the residual after the step is residual + δα · along − δo_i. The row
+    // of the Jacobian has two entries: along for δα, −1 for δo_i.
+    const int o = 1 + s.wall;
+    const double w_along = w * s.along_m, w_residual = w * s.residual_m;
+    e.normal(0, 0) += w_along * s.along_m;
+    e.normal(0, o) -= w_along;
+    e.normal(o, 0) -= w_along;
+    e.normal(o, o) += w;
+    e.rhs[0] -= w_residual * s.along_m;
+    e.rhs[o] += w_residual;
     e.support[static_cast<std::size_t>(s.wall)] += point.weight;
     e.weight += w;
-    e.squares += w * s.residual_m * s.residual_m;
+    e.squares += w_residual * s.residual_m;
   }
   return e;
 }

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "components/roomDetector/core/hit_map.hpp"
+#include "components/roomDetector/core/point_mover.hpp"
 #include "interfaces/geometry/rectangle.hpp"
 
 namespace enfilade::room_detector {
@@ -25,9 +26,19 @@ struct WallSight {
   double along_m = 0.0;     ///< t_i · (q − c)
 };
 
-/// The wall whose stretch (less `corner_m` at its ends) faces the point, nearest one first; wall -1 where
-/// none is within `gate_m`.
-WallSight sight_of(const Point2& q, const Rectangle& r, double gate_m, double corner_m);
+/// The wall whose stretch (less `corner_m` at its ends) faces a point, nearest one first; wall -1 where none
+/// is within `gate_m`.
+class WallSights {
+ public:
+  WallSights(const Rectangle& r, double gate_m, double corner_m);
+  WallSight of(const Point2& q) const;
+
+ private:
+  Point2 centre_;
+  PointMover into_rectangle_;
+  std::array<double, 2> distance_m_, reach_m_;  ///< of walls 0 and 2, of walls 1 and 3
+  double gate_m_;
+};
 
 /// Normal equations N δ = b of one Gauss–Newton step about `r`.
 struct WallEquations {

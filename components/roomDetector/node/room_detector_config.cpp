@@ -97,6 +97,7 @@ void bind(ConfigBinder& c, DoorFinderConfig& doors) {
 void bind(ConfigBinder& c, RoomDetectorNodeConfig& config) {
   RoomDetectorConfig& d = config.detector;
   c.group("period", [&](ConfigBinder& g) { enfilade::bind(g, config.period); });
+  c.flag("every_line", config.every_line);
   c.number("diagnostics_period_s", config.diagnostics_period_s, 0.0, 3600.0);
   bind(c, d.hough);
   bind(c, d.band);

@@ -8,6 +8,7 @@ namespace enfilade::room_detector {
 
 struct RoomDetectorNodeConfig {
   PeriodConfig period{.compute_s = 0.25};
+  bool every_line = true;             ///< an estimate for each scan line beside those of the period
   double diagnostics_period_s = 1.0;  ///< room_diagnostics is published at most this often
   RoomDetectorConfig detector;
 };

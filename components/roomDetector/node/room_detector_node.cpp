@@ -12,7 +12,8 @@ RoomDetectorNode::RoomDetectorNode(const NodeContext& context, const RoomDetecto
       grid_({.start = [this](const GridChange& change) { start_grid(change); },
              .apply = [this](const GridChange& change) { apply(change); },
              .ask_for_snapshot = [this] { ask_for_snapshot(); }}),
-      diagnostics_period_s_(config.diagnostics_period_s) {}
+      diagnostics_period_s_(config.diagnostics_period_s),
+      every_line_(config.every_line) {}
 
 void RoomDetectorNode::initialize() {
   estimate_ = context_.bus.advertise(topics::kRoomEstimate);
@@ -24,7 +25,22 @@ void RoomDetectorNode::initialize() {
   ask_for_snapshot();  // a grid may have been growing before this process began
 }
 
-void RoomDetectorNode::compute() {
+void RoomDetectorNode::compute() { estimate(); }
+
+/// The estimate waits behind what is queued already, so that a detector that lags behind takes several lines
+/// at once.
+void RoomDetectorNode::line_came() {
+  const bool is_complete = grid_stamp_ns_ >= hits_stamp_ns_ && hits_stamp_ns_ != 0;
+  if (!every_line_ || !is_complete || estimated_line_ns_ == hits_stamp_ns_) return;
+  estimated_line_ns_ = hits_stamp_ns_;
+  if (std::exchange(is_due_, true)) return;
+  context_.executor.post([this] {
+    is_due_ = false;
+    estimate();
+  });
+}
+
+void RoomDetectorNode::estimate() {
   if (!has_news_ || grid_.is_waiting() || !grid_.tag()) return;
   has_news_ = false;
   Detection detection = detector_.estimate(T_zone_base_);
@@ -54,12 +70,14 @@ void RoomDetectorNode::start_grid(const GridChange& change) {
   detector_.clear(change.resolution_m);
   T_zone_base_.reset();
   grid_stamp_ns_ = hits_stamp_ns_ = 0;
+  estimated_line_ns_.reset();
 }
 
 void RoomDetectorNode::apply(const GridChange& change) {
   detector_.update(change);
   grid_stamp_ns_ = change.stamp_ns;
   has_news_ = true;
+  line_came();
 }
 
 void RoomDetectorNode::take_hits(const ScanHits& hits) {
@@ -68,6 +86,7 @@ void RoomDetectorNode::take_hits(const ScanHits& hits) {
   T_zone_base_ = hits.T_zone_base;
   hits_stamp_ns_ = hits.stamp_ns;
   has_news_ = true;
+  line_came();
 }
 
 void RoomDetectorNode::ask_for_snapshot() {

@@ -11,8 +11,8 @@
 
 namespace enfilade::room_detector {
 
-/// Follows the grid of the current zone and publishes the room model whenever the grid or the returns have
-/// changed.
+/// Follows the grid of the current zone and publishes the room model once for each scan line, as soon as its
+/// cells and its returns are there; what else has changed comes with the next line, or at the next period.
 class RoomDetectorNode : public Node {
  public:
   RoomDetectorNode(const NodeContext& context, const RoomDetectorNodeConfig& config);
@@ -21,6 +21,8 @@ class RoomDetectorNode : public Node {
   void compute() override;
 
  private:
+  void line_came();
+  void estimate();
   void start_grid(const GridChange& change);
   void apply(const GridChange& change);
   void take_hits(const ScanHits& hits);
@@ -38,7 +40,9 @@ class RoomDetectorNode : public Node {
   std::optional<Client<GridSnapshotRequest, GridSnapshotReply>> snapshot_;
   std::optional<Pose2> T_zone_base_;
   StampNs grid_stamp_ns_ = 0, hits_stamp_ns_ = 0;
-  bool has_news_ = false;
+  std::optional<StampNs> estimated_line_ns_;  ///< the last one that an estimate was asked for
+  bool every_line_;
+  bool has_news_ = false, is_due_ = false;
 };
 
 }  // namespace enfilade::room_detector
