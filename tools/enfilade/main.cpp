@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   const std::vector<enfilade::Verb> verbs{enfilade::add_run(app),      enfilade::add_demo(app),
                                           enfilade::add_room(app),     enfilade::add_map(app),
+                                          enfilade::add_route(app),    enfilade::add_mark(app),
                                           enfilade::add_evaluate(app), enfilade::add_calibrate(app)};
   try {
     app.parse(argc, argv);

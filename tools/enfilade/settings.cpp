@@ -27,6 +27,13 @@ void Settings::set(const std::string& component, const std::string& key, const s
   overrides_[component].push_back(key + "=" + value);
 }
 
+void Settings::set_default(const std::string& component, const std::string& key, const std::string& value) {
+  const ConfigOverrides& present = of(component);
+  const bool is_set = std::any_of(present.begin(), present.end(),
+                                  [&](const std::string& o) { return o.starts_with(key + "="); });
+  if (!is_set) set(component, key, value);
+}
+
 const ConfigOverrides& Settings::of(const std::string& component) const {
   static const ConfigOverrides kNone;
   const auto it = overrides_.find(component);

@@ -23,6 +23,8 @@ class Settings {
   explicit Settings(const std::vector<std::string>& entries);
 
   void set(const std::string& component, const std::string& key, const std::string& value);
+  /// The same, where nobody has set it.
+  void set_default(const std::string& component, const std::string& key, const std::string& value);
   const ConfigOverrides& of(const std::string& component) const;
 
  private:

@@ -13,11 +13,7 @@ constexpr std::size_t kTilesPerSlice = 128;  // a millisecond or two
 
 PicturePublisher::PicturePublisher(const NodeContext& context, const PicturePublisherConfig& config,
                                    const ZoneGrid& grid, std::string frame)
-    : context_(context),
-      config_(config),
-      grid_(grid),
-      frame_(std::move(frame)),
-      pictures_(config.pictures) {}
+    : context_(context), config_(config), grid_(grid), frame_(std::move(frame)), pictures_(config.pictures) {}
 
 void PicturePublisher::open() {
   if (config_.period_s <= 0.0) return;

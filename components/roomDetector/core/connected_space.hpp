@@ -47,7 +47,7 @@ class ConnectedSpace {
 
   double cell_m_;
   int first_x_, first_y_;
-  int side_;                           ///< of the map, in blocks; those on its rim stay closed
+  int side_;  ///< of the map, in blocks; those on its rim stay closed
   std::vector<Block> blocks_;
   std::vector<std::uint8_t> reached_;
   std::vector<int> front_;  // what the last flood has reached, in that order

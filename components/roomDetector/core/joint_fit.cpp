@@ -141,10 +141,12 @@ std::vector<StandPoints> without_bias(std::span<const StandPoints> stands,
                                       const std::vector<Pose2>& corrections, const Rectangle& r,
                                       double bias_m) {
   std::vector<StandPoints> out;
+  const WallSights near(r, kNearWalls_m, 0.0);
   for (std::size_t k = 0; k < stands.size(); ++k) {
     StandPoints& stand = out.emplace_back(stands[k].T_zone_base, std::vector<WallPoint>{});
+    const PointMover move(corrections[k]);
     for (WallPoint point : stands[k].points) {
-      if (sight_of(corrections[k] * point.position, r, kNearWalls_m, 0.0).wall < 0) continue;
+      if (near.of(move(point.position)).wall < 0) continue;
       point.position -= bias_m * point.per_range;
       stand.points.push_back(point);
     }

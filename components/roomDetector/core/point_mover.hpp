@@ -14,9 +14,7 @@ class PointMover {
       : translation_(T.translation()), cos_(std::cos(T.yaw_rad)), sin_(std::sin(T.yaw_rad)) {}
 
   Point2 operator()(const Point2& p) const { return translation_ + turned(p); }
-  Point2 turned(const Point2& p) const {
-    return {cos_ * p.x() - sin_ * p.y(), sin_ * p.x() + cos_ * p.y()};
-  }
+  Point2 turned(const Point2& p) const { return {cos_ * p.x() - sin_ * p.y(), sin_ * p.x() + cos_ * p.y()}; }
 
  private:
   Point2 translation_;

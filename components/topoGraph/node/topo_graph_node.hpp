@@ -39,7 +39,7 @@ class TopoGraphNode final : public Node {
   NodeContext context_;
   TopoGraphConfig config_;
   TopoGraph graph_;
-  std::optional<MapStore> store_;  ///< where there is a map_file
+  std::optional<MapStore> store_;         ///< where there is a map_file
   std::optional<RoomEstimate> estimate_;  ///< the newest that was not looked at yet
   std::optional<StampNs> looked_ns_;
   std::optional<std::uint32_t> lost_in_boot_;

@@ -6,9 +6,9 @@
 #include "tests/benchmark/perception/timing.hpp"
 #include "tests/unit/components/gridBuilder/box_room.hpp"
 
-/// What rt/octomap and rt/local_map cost once a second in the 28 × 20 × 6 m hall, while 40 lines a second come
-/// in: the slices between which lines are fused, and the bytes put together at the end. OctoMap's way beside
-/// it: a tree of the whole grid.
+/// What rt/octomap and rt/local_map cost once a second in the 28 × 20 × 6 m hall, while 40 lines a second
+/// come in: the slices between which lines are fused, and the bytes put together at the end. OctoMap's way
+/// beside it: a tree of the whole grid.
 namespace enfilade::bench {
 namespace {
 

@@ -36,20 +36,24 @@ std::optional<Point2> parse_point(const std::string& text) {
   return Point2(*x, *y);
 }
 
-topo_graph::RoutePlace route_place(const TopologicalMap& map, const std::string& file,
-                                   const std::string& name) {
-  const auto point = parse_point(name);
-  if (!point) return topo_graph::middle_of(find_room(map, file, name));
-  if (const auto place = topo_graph::place_at(map, *point)) return *place;
+RoutePlace route_place(const TopologicalMap& map, const std::string& file, const std::string& name) {
+  const RoutePlace place = parse_place(map, file, name);
+  if (place.room != 0) return place;
+  if (const auto inside = topo_graph::place_at(map, place.point)) return *inside;
   throw std::runtime_error(
       fmt::format("{}: the point {} lies in no room; give one inside a room", file, name));
 }
 
-std::string leg_line(const TopologicalMap& map, const topo_graph::RouteLeg& leg) {
+std::string leg_line(const TopologicalMap& map, const RouteLeg& leg) {
+  const Room* room = map.find_room(leg.room);
   const std::string way = fmt::format("{:>8.3f} m  room {} ({})", (leg.leave - leg.enter).norm(), leg.room,
-                                      map.find_room(leg.room)->name);
+                                      room ? room->name : "new");
   if (!leg.door) return way + fmt::format(" to {:.3f},{:.3f}\n", leg.leave.x(), leg.leave.y());
   return way + fmt::format(" to door {} at {:.3f},{:.3f}\n", *leg.door, leg.leave.x(), leg.leave.y());
+}
+
+std::string no_such_door(const std::string& file, DoorId door) {
+  return fmt::format("{}: there is no door {}; 'enfilade map show' lists them", file, door);
 }
 
 void check_name(const TopologicalMap& map, const Room& room, const std::string& name) {
@@ -86,20 +90,26 @@ const Room& find_room(const TopologicalMap& map, const std::string& file, const 
   return *found;
 }
 
+RoutePlace parse_place(const TopologicalMap& map, const std::string& source, const std::string& name) {
+  if (const auto point = parse_point(name)) return {.room = 0, .point = *point};
+  return topo_graph::middle_of(find_room(map, source, name));
+}
+
+std::string describe(const TopologicalMap& map, const Route& route) {
+  std::string text;
+  for (const RouteLeg& leg : route.legs) text += leg_line(map, leg);
+  return text + fmt::format("{:>8.3f} m  in all, through {} doors\n", route.length_m, route.legs.size() - 1);
+}
+
 std::optional<std::string> route(const RouteOptions& options) {
   const TopologicalMap map = topo_graph::load_map(options.file);
   for (const DoorId door : options.closed)
-    if (!map.find_door(door))
-      throw std::runtime_error(
-          fmt::format("{}: there is no door {}; 'enfilade map show' lists them", options.file, door));
+    if (!map.find_door(door)) throw std::runtime_error(no_such_door(options.file, door));
   const auto found = topo_graph::find_route(map, route_place(map, options.file, options.from),
                                             route_place(map, options.file, options.to),
                                             {options.closed.begin(), options.closed.end()});
   if (!found) return std::nullopt;
-  std::string text;
-  for (const topo_graph::RouteLeg& leg : found->legs) text += leg_line(map, leg);
-  return text +
-         fmt::format("{:>8.3f} m  in all, through {} doors\n", found->length_m, found->legs.size() - 1);
+  return describe(map, *found);
 }
 
 std::vector<std::string> check(const std::string& file) {
@@ -143,6 +153,15 @@ std::string rename(const std::string& file, const std::string& room, const std::
   ++content.map.version;
   topo_graph::save_map_file(file, content);
   return before;
+}
+
+void mark(const MarkOptions& options) {
+  topo_graph::MapFile content = topo_graph::load_map_file(options.file);
+  const auto door = std::ranges::find(content.map.doors, options.door, &Door::id);
+  if (door == content.map.doors.end()) throw std::runtime_error(no_such_door(options.file, options.door));
+  if (std::exchange(door->closed, options.closed) == options.closed) return;
+  ++content.map.version;
+  topo_graph::save_map_file(options.file, content);
 }
 
 }  // namespace enfilade::map_tool

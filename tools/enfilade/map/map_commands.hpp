@@ -26,6 +26,13 @@ std::vector<std::string> export_map(const ExportOptions& options);
 /// A room by its id or its name.
 const Room& find_room(const TopologicalMap& map, const std::string& file, const std::string& name);
 
+/// "X,Y" as a point of the map (room 0), anything else as a room of it. `source` is where the map comes from,
+/// for people.
+RoutePlace parse_place(const TopologicalMap& map, const std::string& source, const std::string& name);
+
+/// The way, one line a room.
+std::string describe(const TopologicalMap& map, const Route& route);
+
 struct RouteOptions {
   std::string file, from, to;  ///< a room, or "X,Y" in the map frame
   std::vector<DoorId> closed;
@@ -41,6 +48,13 @@ std::string merge(const std::string& first, const std::string& second, const std
 
 /// Puts the last good map in place of a damaged one; returns what was done, for people.
 std::string restore(const std::string& file);
+
+struct MarkOptions {
+  std::string file;
+  DoorId door = 0;
+  bool closed = false;
+};
+void mark(const MarkOptions& options);
 
 /// Returns the old name.
 std::string rename(const std::string& file, const std::string& room, const std::string& name);

@@ -22,9 +22,9 @@ std::string room_line(const TopologicalMap& map, const Room& room) {
 std::string door_line(const TopologicalMap& map, const Door& door) {
   const Point2 at = topo_graph::exports::middle(map, door.face);
   const std::string other = door.other_face ? std::to_string(door.other_face->room) : "-";
-  return fmt::format("{:>6}  {:<10} {:>6} {:>6} {:>8.2f} {:>9.2f} {:>9.2f}\n", door.id,
+  return fmt::format("{:>6}  {:<10} {:>6} {:>6} {:>8.2f} {:>9.2f} {:>9.2f}{}\n", door.id,
                      topo_graph::exports::kind_name(door.kind), door.face.room, other,
-                     door.face.gap.width_m(), at.x(), at.y());
+                     door.face.gap.width_m(), at.x(), at.y(), door.closed ? "  closed" : "");
 }
 
 /// The paper's point: no dense map beside the graph.

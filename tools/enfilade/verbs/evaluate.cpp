@@ -10,7 +10,7 @@ Verb add_evaluate(CLI::App& app) {
       "evaluate", "Measure the parts of the system on random inputs of which the truth is known");
   group->require_subcommand(1);
   const std::vector<Verb> experiments{add_evaluate_perception(*group), add_evaluate_graph(*group),
-                                      add_evaluate_exploration(*group)};
+                                      add_evaluate_exploration(*group), add_evaluate_latency(*group)};
   return {group, [experiments] {
             for (const Verb& experiment : experiments)
               if (experiment.command->parsed()) return experiment.run();

@@ -37,7 +37,7 @@ Verb add_export(CLI::App& group) {
           }};
 }
 
-Verb add_route(CLI::App& group) {
+Verb add_map_route(CLI::App& group) {
   auto options = std::make_shared<map_tool::RouteOptions>();
   CLI::App* command = group.add_subcommand("route", "The shortest way from door to door");
   command->add_option("file", options->file, kMapFile)->required();
@@ -107,13 +107,28 @@ Verb add_rename(CLI::App& group) {
           }};
 }
 
+Verb add_map_mark(CLI::App& group) {
+  auto options = std::make_shared<map_tool::MarkOptions>();
+  CLI::App* command = group.add_subcommand(
+      "mark", "Note that a door is closed, or open again; not while a topoGraph keeps its map in the file");
+  command->add_option("file", options->file, kMapFile)->required();
+  command->add_option("door", options->door, "Its number")->required();
+  add_closed_or_open(*command, options->closed);
+  return {command, [options] {
+            map_tool::mark(*options);
+            std::cout << "door " << options->door << " is " << (options->closed ? "closed" : "open") << "\n";
+            return 0;
+          }};
+}
+
 }  // namespace
 
 Verb add_map(CLI::App& app) {
   CLI::App* group = app.add_subcommand("map", "Look at a map file, check it, find ways in it, export it");
   group->require_subcommand(1);
-  const std::vector<Verb> verbs{add_show(*group),   add_export(*group),  add_route(*group), add_check(*group),
-                                add_rename(*group), add_restore(*group), add_merge(*group)};
+  const std::vector<Verb> verbs{add_show(*group),     add_export(*group), add_map_route(*group),
+                                add_check(*group),    add_rename(*group), add_restore(*group),
+                                add_map_mark(*group), add_merge(*group)};
   return {group, [verbs] {
             for (const Verb& verb : verbs)
               if (verb.command->parsed()) return verb.run();

@@ -22,11 +22,17 @@ Verb add_demo(CLI::App& app);
 Verb add_room(CLI::App& app);
 /// `enfilade map VERB FILE`: a map file shown, checked, exported.
 Verb add_map(CLI::App& app);
+/// `enfilade route FROM TO` and `enfilade mark DOOR closed|open`: questions to a system that runs.
+Verb add_route(CLI::App& app);
+Verb add_mark(CLI::App& app);
+/// The word "closed" or "open".
+void add_closed_or_open(CLI::App& command, bool& closed);
 /// `enfilade evaluate EXPERIMENT`: how good the parts are, on random inputs of which the truth is known.
 Verb add_evaluate(CLI::App& app);
 Verb add_evaluate_perception(CLI::App& group);
 Verb add_evaluate_graph(CLI::App& group);
 Verb add_evaluate_exploration(CLI::App& group);
+Verb add_evaluate_latency(CLI::App& group);
 /// `enfilade calibrate range`: what the laser measures too much.
 Verb add_calibrate(CLI::App& app);
 

@@ -13,6 +13,13 @@ TEST(Settings, SplitsComponentFromKeyAtTheFirstDot) {
   EXPECT_TRUE(settings.of("explorer").empty());
 }
 
+TEST(Settings, KeepsWhatWasSetFromDefaults) {
+  Settings settings({"roomDetector.step_m=0.27"});
+  settings.set_default("roomDetector", "step_m", "0.1");
+  settings.set_default("roomDetector", "step", "1");
+  EXPECT_EQ(settings.of("roomDetector"), (ConfigOverrides{"step_m=0.27", "step=1"}));
+}
+
 TEST(Settings, RefusesUnknownComponentNamingTheKnownOnes) {
   try {
     Settings({"roomdetector.step_m=0.27"});
