@@ -104,8 +104,9 @@ std::optional<WallAlignment> align_to_walls(std::span<const Point2> points, cons
     moved = {moved.x_m + step.x(), moved.y_m + step.y(), moved.yaw_rad + step.z()};
   }
   const Eigen::Matrix3d covariance = config.sigma_m * config.sigma_m * e.normal.inverse();
-  const Eigen::Vector2d spread =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(covariance.topLeftCorner<2, 2>()).eigenvalues();
+  const Eigen::Matrix2d of_place = covariance.topLeftCorner<2, 2>();
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
+  const Eigen::Vector2d spread = solver.computeDirect(of_place, Eigen::EigenvaluesOnly).eigenvalues();
   const Point2 t = pivot + moved.translation() - rotate(moved.yaw_rad, pivot);
   return WallAlignment{.T_after_before = {t.x(), t.y(), moved.yaw_rad},
                        .covariance = covariance,

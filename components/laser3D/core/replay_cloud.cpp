@@ -37,7 +37,9 @@ std::optional<ReplayCloud> make_replay_cloud(const ReplayCloudConfig& config, co
   if (!floor) return std::nullopt;
 
   ReplayCloud cloud{.scanner_height_m = floor->below_m, .tilt_rad = std::acos(std::min(1.0, floor->up.z()))};
-  const Eigen::Quaterniond level = Eigen::Quaterniond::FromTwoVectors(floor->up, Eigen::Vector3d::UnitZ());
+  // Turns `up` to z: about up × z, with the half angle's cosine by (1 + up · z).
+  const Eigen::Quaterniond level =
+      Eigen::Quaterniond(1.0 + floor->up.z(), floor->up.y(), -floor->up.x(), 0.0).normalized();
   for (const Point3f& seen : points) {
     const Point3f p = lifted(level, floor->below_m, seen);
     const std::uint64_t count = cloud.points + cloud.near_floor;

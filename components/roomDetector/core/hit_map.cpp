@@ -8,15 +8,15 @@ namespace {
 
 constexpr int kAxisBits = 20;
 constexpr std::uint64_t kAxisMask = (1u << kAxisBits) - 1;
-constexpr double kFarthest_m = 1000.0;
+constexpr double kMostDistant_m = 1000.0;
 
 std::uint64_t axis_index(double metres, double resolution_m) {
   return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(metres / resolution_m))) & kAxisMask;
 }
 
 bool is_usable(const CellHit& hit) {
-  return std::abs(hit.x_m) < kFarthest_m && std::abs(hit.y_m) < kFarthest_m &&
-         std::abs(hit.z_m) < kFarthest_m && hit.count > 0;  // NaN compares false
+  return std::abs(hit.x_m) < kMostDistant_m && std::abs(hit.y_m) < kFarthest_m &&
+         std::abs(hit.z_m) < kMostDistant_m && hit.count > 0;  // NaN compares false
 }
 
 std::size_t slot_of(std::uint64_t key, std::size_t slots) {

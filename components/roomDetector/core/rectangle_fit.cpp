@@ -65,7 +65,9 @@ Rectangle iterate(std::span<const WallPoint> points, Rectangle r, const Rectangl
     WallEquations e = wall_equations(points, r, gate_at(config, first_gate_m, k), config.corner_m);
     hold_unseen(e, Free == 5 ? config.min_wall_weight : 0.0);
     const Eigen::Matrix<double, Free, Free> normal = basis.transpose() * e.normal * basis;
-    r = moved(r, basis * normal.ldlt().solve(basis.transpose() * e.rhs));
+    const Eigen::Matrix<double, Free, 1> right = basis.transpose() * e.rhs;
+    const Eigen::Matrix<double, Free, 1> step = normal.ldlt().solve(right);
+    r = moved(r, basis * step);
   }
   return r;
 }
@@ -80,7 +82,8 @@ RectangleFit result_at(std::span<const WallPoint> points, const Rectangle& r,
   for (int wall = 0; wall < 4; ++wall) e.normal(1 + wall, 1 + wall) += variance;
   e.normal(0, 0) += variance;
   const WallMatrix m = parameters_by_step(r);
-  fit.covariance = m * (variance * e.normal.ldlt().solve(WallMatrix::Identity())) * m.transpose();
+  const WallMatrix inverse = e.normal.ldlt().solve(WallMatrix::Identity());
+  fit.covariance = m * (variance * inverse) * m.transpose();
   return fit;
 }
 

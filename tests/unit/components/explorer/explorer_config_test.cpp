@@ -4,13 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "components/explorer/node/explorer_node.hpp"
+#include "tests/support/etc_folder.hpp"
 
 namespace enfilade::explorer {
 namespace {
 
 TEST(ExplorerConfig, TheShippedFileHoldsTheDefaults) {
   std::string shipped, bare;
-  load_config<ExplorerConfig>(std::string(ENFILADE_SOURCE_DIR) + "/etc/explorer.yaml", {}, &shipped);
+  load_config<ExplorerConfig>(enfilade::test::etc_folder() + "explorer.yaml", {}, &shipped);
   load_config<ExplorerConfig>("/dev/null", {}, &bare);
   EXPECT_EQ(shipped, bare);
 }

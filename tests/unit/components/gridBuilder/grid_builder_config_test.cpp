@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/etc_folder.hpp"
+
 namespace enfilade::grid_builder {
 namespace {
 
 TEST(GridBuilderConfig, IsShippedWithItsDefaults) {
-  const std::string file = ENFILADE_SOURCE_DIR "/etc/gridBuilder.yaml";
+  const std::string file = enfilade::test::etc_folder() + "gridBuilder.yaml";
   GridBuilderConfig config;
   EXPECT_NO_THROW(ZoneGrid{config.grid});
   const auto loaded = load_config<GridBuilderConfig>(file);
@@ -18,7 +20,7 @@ TEST(GridBuilderConfig, IsShippedWithItsDefaults) {
 }
 
 TEST(GridBuilderConfig, TakesOverridesByGroup) {
-  const std::string file = ENFILADE_SOURCE_DIR "/etc/gridBuilder.yaml";
+  const std::string file = enfilade::test::etc_folder() + "gridBuilder.yaml";
   const auto loaded = load_config<GridBuilderConfig>(file, {"grid.resolution_m=0.1", "stationary=true"});
   EXPECT_EQ(loaded.grid.resolution_m, 0.1);
   EXPECT_TRUE(loaded.gate.stationary);

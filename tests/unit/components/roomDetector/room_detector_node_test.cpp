@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/etc_folder.hpp"
 #include "tests/support/node_harness.hpp"
 #include "tests/unit/components/roomDetector/ideal_room.hpp"
 
@@ -151,15 +152,15 @@ TEST(RoomDetectorNodeThatLagsBehind, TakesTheLinesThatWaitTogether) {
 
 TEST(RoomDetectorConfiguration, ShipsItsDefaults) {
   const RoomDetectorNodeConfig defaults,
-      shipped = load_config<RoomDetectorNodeConfig>(ENFILADE_SOURCE_DIR "/etc/roomDetector.yaml");
+      shipped = load_config<RoomDetectorNodeConfig>(enfilade::test::etc_folder() + "roomDetector.yaml");
   EXPECT_EQ(shipped.period.compute_s, defaults.period.compute_s);
   EXPECT_EQ(shipped.detector.votes.toll_share, defaults.detector.votes.toll_share);
   EXPECT_EQ(shipped.detector.door_finder.sill_m, defaults.detector.door_finder.sill_m);
-  const auto config =
-      load_config<RoomDetectorNodeConfig>(ENFILADE_SOURCE_DIR "/etc/roomDetector.yaml", {"step_m=0.27"});
+  const auto config = load_config<RoomDetectorNodeConfig>(enfilade::test::etc_folder() + "roomDetector.yaml",
+                                                          {"step_m=0.27"});
   EXPECT_EQ(config.detector.hough.step_m, 0.27);
   EXPECT_THROW(
-      load_config<RoomDetectorNodeConfig>(ENFILADE_SOURCE_DIR "/etc/roomDetector.yaml", {"step_m=0.6"}),
+      load_config<RoomDetectorNodeConfig>(enfilade::test::etc_folder() + "roomDetector.yaml", {"step_m=0.6"}),
       ConfigError);
 }
 

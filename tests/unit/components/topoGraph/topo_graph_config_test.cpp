@@ -7,10 +7,12 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "tests/support/etc_folder.hpp"
+
 namespace enfilade::topo_graph {
 namespace {
 
-const std::string kShipped = std::string(ENFILADE_SOURCE_DIR) + "/etc/topoGraph.yaml";
+const std::string kShipped = enfilade::test::etc_folder() + "topoGraph.yaml";
 
 std::string resolved(const std::string& file, const ConfigOverrides& overrides = {}) {
   std::string text;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/etc_folder.hpp"
 #include "tests/unit/tools/simulator/test_worlds.hpp"
 #include "tools/simulator/world/load_world.hpp"
 
@@ -12,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kWorlds = fs::path(ENFILADE_SOURCE_DIR) / "etc/worlds";
+const fs::path kWorlds = fs::path(enfilade::test::etc_folder()) / "worlds";
 
 std::vector<std::string> shipped() {
   std::vector<std::string> files;

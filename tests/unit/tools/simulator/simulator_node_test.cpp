@@ -6,12 +6,13 @@
 
 #include "interfaces/runtime/composed_system.hpp"
 #include "interfaces/topics/topics.hpp"
+#include "tests/support/etc_folder.hpp"
 #include "tests/unit/tools/simulator/temporary_file.hpp"
 
 namespace enfilade::simulator {
 namespace {
 
-const std::string kEtc = std::string(ENFILADE_SOURCE_DIR) + "/etc/";
+const std::string kEtc = enfilade::test::etc_folder();
 
 SimulatorConfig shipped_config() {
   SimulatorConfig config = load_config<SimulatorConfig>(kEtc + "simulator.yaml");
