@@ -18,26 +18,26 @@ Problem missing_door(DoorId id, const TopologicalMap& map) {
   return "there is no door " + std::to_string(id);
 }
 
-Problem problem_of(const Door& door, const TopologicalMap& map) {
-  Problem problem = topo_graph::problem_of(door.face, map);
-  if (!problem && door.other_face) problem = topo_graph::problem_of(*door.other_face, map);
+Problem door_problem(const Door& door, const TopologicalMap& map) {
+  Problem problem = problem_of(door.face, map);
+  if (!problem && door.other_face) problem = problem_of(*door.other_face, map);
   if (problem) *problem = "door " + std::to_string(door.id) + ": " + *problem;
   return problem;
 }
 
-Problem problem_of(const LoopClosure& closure, const TopologicalMap& map) {
+Problem closure_problem(const LoopClosure& closure, const TopologicalMap& map) {
   if (auto problem = missing_door(closure.door, map)) return problem;
   if (auto problem = missing_room(closure.room, map)) return problem;
   return missing_room(closure.link.from, map);
 }
 
-Problem problem_of(const Session& session, const TopologicalMap& map) {
+Problem session_problem(const Session& session, const TopologicalMap& map) {
   const CurrentZone& zone = session.zone;
   for (const auto& room : {zone.room, zone.from_room})
     if (auto problem = room ? missing_room(*room, map) : std::nullopt) return problem;
   if (auto problem = zone.via_door ? missing_door(*zone.via_door, map) : std::nullopt) return problem;
   for (const LoopClosure& closure : session.closures)
-    if (auto problem = problem_of(closure, map)) return problem;
+    if (auto problem = closure_problem(closure, map)) return problem;
   if (!map.rooms.empty() && session.last_room < map.rooms.back().id)
     return "last_room is less than an id in use";
   if (!map.doors.empty() && session.last_door < map.doors.back().id)
@@ -59,11 +59,11 @@ std::optional<std::string> problem_of(const DoorFace& face, const TopologicalMap
 
 std::optional<std::string> find_contradiction(const MapFile& file) {
   for (const Door& door : file.map.doors)
-    if (auto problem = problem_of(door, file.map)) return problem;
+    if (auto problem = door_problem(door, file.map)) return problem;
   for (const RoomLink& link : file.map.links)
     for (const RoomId room : {link.from, link.to})
       if (auto problem = missing_room(room, file.map)) return problem;
-  return file.session ? problem_of(*file.session, file.map) : std::nullopt;
+  return file.session ? session_problem(*file.session, file.map) : std::nullopt;
 }
 
 }  // namespace enfilade::topo_graph
