@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <benchmark/benchmark.h>
+#include <octomap/OcTree.h>
 
 #include "components/gridBuilder/core/octree.hpp"
 #include "components/gridBuilder/core/zone_pictures.hpp"
