@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "interfaces/runtime/config_values.hpp"
+#include "interfaces/runtime/usage_error.hpp"
 
 namespace enfilade {
 namespace {
@@ -19,6 +20,7 @@ ParsedCommandLine parse_command_line(const std::string& component, int argc, con
   CommandLine line;
   int domain = 0;
   CLI::App app{"The component " + component + " of Enfilade. Runs until SIGINT or SIGTERM.", component};
+  app.failure_message(usage_error);
   app.add_option("--config", line.config_file, "configuration file (default: etc/" + component + ".yaml)")
       ->type_name("FILE");
   app.add_option("--set", line.overrides, "overrides one key of the configuration, may be repeated")

@@ -2,6 +2,7 @@
 #include <clocale>
 #include <iostream>
 
+#include "interfaces/runtime/usage_error.hpp"
 #include "tools/enfilade/verbs/verbs.hpp"
 
 /// The one command for people: `enfilade VERB …`, each verb with --help. Exit status: 0 done, 1 not done, 2
@@ -10,6 +11,7 @@ int main(int argc, char** argv) {
   std::setlocale(LC_NUMERIC, "C");
   CLI::App app("Enfilade: robots that understand buildings", "enfilade");
   app.require_subcommand(1);
+  app.failure_message(enfilade::usage_error);
   const std::vector<enfilade::Verb> verbs{enfilade::add_run(app),      enfilade::add_demo(app),
                                           enfilade::add_room(app),     enfilade::add_map(app),
                                           enfilade::add_route(app),    enfilade::add_mark(app),

@@ -58,14 +58,14 @@ class MapStoreTest : public testing::Test {
 TEST_F(MapStoreTest, KeepsEachChangeInTheJournal) {
   const std::string map = read(path_);
   std::string journal = read(journal_);
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < 10; ++i) {
     change();
     ASSERT_EQ(load_state(path_), now());
     ASSERT_TRUE(read(journal_).starts_with(journal));  // it is only added to
     journal = read(journal_);
   }
   EXPECT_EQ(read(path_), map);
-  EXPECT_EQ(load_kept(path_).records, 20u);
+  EXPECT_EQ(load_kept(path_).records, 10u);
 }
 
 TEST_F(MapStoreTest, FoldsAJournalThatHasGrownLarge) {
