@@ -20,7 +20,7 @@ class LiveVerbs(unittest.TestCase):
 
     def start(self):
         process = subprocess.Popen([BIN / "topoGraph", "--domain", str(free_domain()), "--set", f"map_file={self.map}",
-                                    "--set", "resume=true"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                                    "--set", "resume=true", "--set", "locate=true"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         self.addCleanup(process.wait, 30)
         self.addCleanup(process.kill)
         return process

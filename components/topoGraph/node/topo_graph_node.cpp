@@ -54,7 +54,7 @@ KeptState TopoGraphNode::start_state() {
 }
 
 KeptState TopoGraphNode::resumed_state() {
-  KeptState kept = load_kept(config_.map_file);
+  KeptState kept = config_.locate ? load_to_locate(config_.map_file) : load_kept(config_.map_file);
   context_.log.info(tell_resumed(kept.state));
   if (kept.torn) context_.log.warn(*kept.torn);
   if (config_.locate) kept.state = lost_state(kept.state.map, kept.state.session, context_.clock.now_ns());

@@ -10,15 +10,32 @@
 #include "components/topoGraph/storage/map_folder.hpp"
 
 namespace enfilade::topo_graph {
+namespace {
+
+KeptState kept_of(OpenedMap opened) {
+  return {{std::move(opened.file.map), std::move(*opened.file.session)}, opened.file.records, opened.torn};
+}
+
+}  // namespace
 
 KeptState load_kept(const std::filesystem::path& path) {
   OpenedMap opened = open_map(path);
   if (!opened.file.session) {
-    throw MapFileError(
-        path.string() +
-        ":1: holds a map but no session, so nothing tells where the robot is; start with resume: false");
+    throw MapFileError(path.string() +
+                       ":1: holds a map but no session, so nothing tells where the robot is; start with "
+                       "locate: true, or with resume: false");
   }
-  return {{std::move(opened.file.map), std::move(*opened.file.session)}, opened.file.records, opened.torn};
+  return kept_of(std::move(opened));
+}
+
+KeptState load_to_locate(const std::filesystem::path& path) {
+  OpenedMap opened = open_map(path);
+  if (!opened.file.session) {
+    Session& session = opened.file.session.emplace();
+    for (const Room& room : opened.file.map.rooms) session.last_room = std::max(session.last_room, room.id);
+    for (const Door& door : opened.file.map.doors) session.last_door = std::max(session.last_door, door.id);
+  }
+  return kept_of(std::move(opened));
 }
 
 TopoState load_state(const std::filesystem::path& path) { return load_kept(path).state; }

@@ -21,6 +21,8 @@ struct KeptState {
 
 /// Throws MapFileError; also where the file has no session, since nothing tells then where the robot is.
 KeptState load_kept(const std::filesystem::path& path);
+/// The same for a robot that is to find its own place: a map that a tool made has no session and needs none.
+KeptState load_to_locate(const std::filesystem::path& path);
 TopoState load_state(const std::filesystem::path& path);
 /// The whole state in one file.
 void save_state(const std::filesystem::path& path, const TopoState& state);

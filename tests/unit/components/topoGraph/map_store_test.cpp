@@ -156,6 +156,16 @@ TEST_F(MapStoreTest, GivesBackWhatIsGoodOfADamagedJournal) {
   EXPECT_TRUE(fs::exists(journal_of(path_.string() + ".damaged")));
 }
 
+TEST_F(MapStoreTest, GivesAMapWithoutSessionToARobotThatFindsItsPlace) {
+  const TopoState made = now();
+  save_map_file(path_, {made.map, std::nullopt});
+  EXPECT_NE(error().find("locate: true"), std::string::npos) << error();
+  const TopoState kept = load_to_locate(path_).state;
+  EXPECT_EQ(kept.map, made.map);
+  for (const Room& room : made.map.rooms) EXPECT_GE(kept.session.last_room, room.id);
+  for (const Door& door : made.map.doors) EXPECT_GE(kept.session.last_door, door.id);
+}
+
 TEST_F(MapStoreTest, MovesAMapWithItsJournal) {
   change(4);
   move_map(path_, folder_ / "map.yaml.previous");
