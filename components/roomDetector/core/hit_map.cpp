@@ -15,7 +15,7 @@ std::uint64_t axis_index(double metres, double resolution_m) {
 }
 
 bool is_usable(const CellHit& hit) {
-  return std::abs(hit.x_m) < kMostDistant_m && std::abs(hit.y_m) < kFarthest_m &&
+  return std::abs(hit.x_m) < kMostDistant_m && std::abs(hit.y_m) < kMostDistant_m &&
          std::abs(hit.z_m) < kMostDistant_m && hit.count > 0;  // NaN compares false
 }
 
