@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace enfilade {
+
+/// What a wrong command line is answered with: one sentence that says what to do. For
+/// CLI::App::failure_message.
+inline std::string usage_error(const CLI::App* app, const CLI::Error& error) {
+  return app->get_name() + ": " + error.what() + "; --help lists what can be given\n";
+}
+
+}  // namespace enfilade
