@@ -71,7 +71,7 @@ void add_inputs(std::vector<SearchInput>& inputs, const Building& building, std:
 
 std::filesystem::path data_folder() {
   const char* folder = std::getenv("ENFILADE_DATA");
-  return folder ? folder : "../shared/data";
+  return folder ? folder : "data";
 }
 
 laser_3d::FileBytes contents(const std::filesystem::path& file) {
