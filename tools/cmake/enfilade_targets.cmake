@@ -58,10 +58,11 @@ function(enfilade_executable name)
   enfilade_use_pch(${name} enfilade_pch)
 endfunction()
 
-# enfilade_test(NAME LABEL unit|interfaces|integration … SOURCES x_test.cpp … [DEPENDS lib …] [TIMEOUT seconds])
+# enfilade_test(NAME LABEL unit|interfaces|integration … SOURCES x_test.cpp … [DEPENDS lib …] [TIMEOUT seconds] [OPTIMISED])
+# OPTIMISED: tests that compute a lot themselves.
 # Target tests_<label> builds all tests of one label.
 function(enfilade_test name)
-  cmake_parse_arguments(arg "" "TIMEOUT" "LABEL;SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(arg "OPTIMISED" "TIMEOUT" "LABEL;SOURCES;DEPENDS" ${ARGN})
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 180)  # sanitizers take ten times as long
   endif()
@@ -70,8 +71,12 @@ function(enfilade_test name)
   target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE enfilade_warnings enfilade_instrumentation enfilade_etc_folder
                         ${arg_DEPENDS} GTest::gtest GTest::gtest_main)
-  target_compile_options(${name} PRIVATE ${test_code_options})
-  enfilade_use_pch(${name} enfilade_test_pch)
+  if(arg_OPTIMISED)
+    enfilade_use_pch(${name} enfilade_pch)
+  else()
+    target_compile_options(${name} PRIVATE ${test_code_options})
+    enfilade_use_pch(${name} enfilade_test_pch)
+  endif()
   foreach(label ${arg_LABEL})
     if(NOT TARGET tests_${label})
       add_custom_target(tests_${label})
