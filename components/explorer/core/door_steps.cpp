@@ -46,8 +46,16 @@ bool ExplorationMachine::come_back_to_doors(const Observation& seen, Decision& d
   put_off_.clear();
   avoid_.clear();
   attempts_.clear();
-  begin_sweep(Purpose::kLocalise, seen);
+  look_behind(seen, decision);
   return true;
+}
+
+/// What barred the way and has gone is still in the grid where no sweep has been since. From one heading a
+/// sweep does not show the cone behind the robot.
+void ExplorationMachine::look_behind(const Observation& seen, Decision& decision) {
+  const Pose2& pose = *seen.T_zone_base;
+  begin_look({.pose = {pose.x_m, pose.y_m, wrap_to_pi(pose.yaw_rad + kPi)}}, Purpose::kLocalise, seen,
+             decision);
 }
 
 /// After a restart in the middle of a crossing the robot stands outside the room it is said to be in.
@@ -129,7 +137,7 @@ void ExplorationMachine::judge(const Observation& seen, Decision& decision) {
 void ExplorationMachine::give_up_door(const std::string& why, const Observation& seen, Decision& decision) {
   const int attempts = ++attempts_[door_];
   decision.warnings.push_back("door " + std::to_string(door_) + ": " + why);
-  if (attempts < config_.door_attempts) return begin_sweep(Purpose::kLocalise, seen);
+  if (attempts < config_.door_attempts) return look_behind(seen, decision);
   const Door* door = seen.map->find_door(door_);
   const bool last_round = door_round_ >= config_.door_rounds;
   if (last_round && door && door->kind == DoorKind::kUnresolved)

@@ -116,6 +116,7 @@ void ExplorationMachine::start_zone(const Observation& seen, Decision& decision)
   trodden_.clear();
   thresholds_.clear();
   swept_from_.clear();
+  barred_.clear();
   verified_ = false;
   if (new_zone) attempts_.clear();
   if (seen.zone->room) {

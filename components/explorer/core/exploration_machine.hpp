@@ -114,7 +114,7 @@ class ExplorationMachine {
   std::optional<View> view_into_gap(const Observation& seen,
                                     const std::function<bool(const DoorEstimate&)>& is_wanted) const;
   bool has_looked_from(const Pose2& pose) const;
-  void begin_look(const View& view, const Observation& seen, Decision& decision);
+  void begin_look(const View& view, Purpose purpose, const Observation& seen, Decision& decision);
   void begin_fix(const Observation& seen, Decision& decision);
   void look(const Observation& seen, Decision& decision);
   void fix(const Observation& seen, Decision& decision);
@@ -129,6 +129,7 @@ class ExplorationMachine {
   void approach(const Observation& seen, Decision& decision);
   void judge(const Observation& seen, Decision& decision);
   void give_up_door(const std::string& why, const Observation& seen, Decision& decision);
+  void look_behind(const Observation& seen, Decision& decision);
 
   // crossing_steps.cpp: the change of room
   void begin_crossing(const Observation& seen, Decision& decision);
@@ -159,6 +160,7 @@ class ExplorationMachine {
   Purpose purpose_ = Purpose::kModel;
   bool verified_ = false;
   std::vector<Pose2> swept_from_;
+  std::vector<Point2> barred_;  ///< places to look from that could not be got to
   std::vector<Point2> trodden_;
   std::vector<Point2> thresholds_;  ///< points in the doorways seen
 

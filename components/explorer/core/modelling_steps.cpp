@@ -112,17 +112,20 @@ void ExplorationMachine::assess(const Observation& seen, Decision& decision) {
     return door.gap.width_m() > config_.widest_door_m ||
            (wall_m > 1.0 && door.gap.width_m() > config_.whole_wall_share * wall_m);
   };
-  if (const auto view = view_into_gap(seen, is_wide)) return begin_look(*view, seen, decision);
+  if (const auto view = view_into_gap(seen, is_wide))
+    return begin_look(*view, Purpose::kModel, seen, decision);
   if (verified_) return begin_fix(seen, decision);
-  if (const auto view = next_view(seen)) return begin_look(*view, seen, decision);
+  if (const auto view = next_view(seen)) return begin_look(*view, Purpose::kModel, seen, decision);
   if (sweeps == 1) {  // the cone behind the robot
     const Pose2& pose = *seen.T_zone_base;
-    return begin_look({.pose = {pose.x_m, pose.y_m, wrap_to_pi(pose.yaw_rad + kPi)}}, seen, decision);
+    return begin_look({.pose = {pose.x_m, pose.y_m, wrap_to_pi(pose.yaw_rad + kPi)}}, Purpose::kModel, seen,
+                      decision);
   }
   const auto is_doubtful = [&](const DoorEstimate& door) {
     return door.state == DoorState::kPossible && door.gap.width_m() >= geometry_.new_door_m;
   };
-  if (const auto view = view_into_gap(seen, is_doubtful)) return begin_look(*view, seen, decision);
+  if (const auto view = view_into_gap(seen, is_doubtful))
+    return begin_look(*view, Purpose::kModel, seen, decision);
   // Nothing is left that could be seen: the finer sweep tells whether the model holds.
   begin_sweep(Purpose::kVerify, seen);
 }
@@ -130,7 +133,7 @@ void ExplorationMachine::assess(const Observation& seen, Decision& decision) {
 std::optional<View> ExplorationMachine::next_view(const Observation& seen) const {
   const FloorMap map = drive_.floor_map(seen, floor_inside(seen));
   const Reach reach(map, drive_.config().planner, seen.T_zone_base->translation());
-  ViewWish wish{.other_than_yaw_rad = {}, .had = swept_from_};
+  ViewWish wish{.other_than_yaw_rad = {}, .had = swept_from_, .barred = barred_};
   if (swept_from_.size() == 1) wish.other_than_yaw_rad = swept_from_.front().yaw_rad;
   const bool found = is_current(seen.estimate, *tag_) && seen.estimate->found;
   const Rectangle area = found ? seen.estimate->rectangle : surroundings(seen.T_zone_base->translation());
@@ -152,7 +155,7 @@ std::optional<View> ExplorationMachine::view_into_gap(
                          .outward = estimate.rectangle.normal(door.gap.wall),
                          .width_m = door.gap.width_m()};
     const auto place = reach.nearest(gap.pose_at(-config_.staging_m).translation(), config_.staging_search_m);
-    if (!place) continue;
+    if (!place || is_barred(*place, barred_)) continue;
     const Pose2 pose{place->x(), place->y(), gap.yaw_rad()};
     if (!has_looked_from(pose)) return View{.pose = pose};
   }
@@ -175,13 +178,15 @@ void ExplorationMachine::assess_without_room(const Observation& seen, Decision& 
   }
   const Pose2& pose = *seen.T_zone_base;
   const View turned{.pose = {pose.x_m, pose.y_m, wrap_to_pi(pose.yaw_rad + (sweeps == 1 ? kPi : 0.5 * kPi))}};
-  begin_look(sweeps == 1 ? turned : next_view(seen).value_or(turned), seen, decision);
+  begin_look(sweeps == 1 ? turned : next_view(seen).value_or(turned), Purpose::kModel, seen, decision);
 }
 
-void ExplorationMachine::begin_look(const View& view, const Observation& seen, Decision& decision) {
+void ExplorationMachine::begin_look(const View& view, Purpose purpose, const Observation& seen,
+                                    Decision& decision) {
   const std::string activity =
       "looking from " + place_of(view.pose.translation()) + " towards the " + compass(view.pose.yaw_rad);
   decision.events.push_back(activity);
+  purpose_ = purpose;
   drive_.begin(view.pose, floor_inside(seen));
   go_to(Step::kLook, ExplorationPhase::kLooking, activity, seen);
   state_.goal = view.pose;
@@ -190,8 +195,11 @@ void ExplorationMachine::begin_look(const View& view, const Observation& seen, D
 void ExplorationMachine::look(const Observation& seen, Decision& decision) {
   const DriveStatus status = drive_.update(seen, decision);
   if (status == DriveStatus::kDriving) return;
-  if (status == DriveStatus::kFailed) decision.warnings.push_back("cannot get there: looking from here");
-  begin_sweep(Purpose::kModel, seen);
+  if (status == DriveStatus::kFailed) {
+    decision.warnings.push_back("cannot get there: looking from here");
+    barred_.push_back(state_.goal->translation());
+  }
+  begin_sweep(purpose_, seen);
 }
 
 void ExplorationMachine::begin_fix(const Observation& seen, Decision& decision) {

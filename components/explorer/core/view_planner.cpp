@@ -34,6 +34,12 @@ std::vector<ViewTarget> thinned(const std::vector<ViewTarget>& targets, std::siz
 
 }  // namespace
 
+bool is_barred(const Point2& place, const std::vector<Point2>& barred) {
+  constexpr double kNearM = 0.4;
+  return std::any_of(barred.begin(), barred.end(),
+                     [&](const Point2& p) { return (p - place).norm() < kNearM; });
+}
+
 ViewPlanner::ViewPlanner(const ViewPlannerConfig& config) : config_(config) {
   if (!(config.lattice_m > 0.0) || config.max_places < 1 || config.max_targets < 1) {
     throw std::invalid_argument("ViewPlanner: lattice_m, max_places and max_targets must be greater than 0");
@@ -47,6 +53,7 @@ std::optional<View> ViewPlanner::best(const ProjectedGrid& grid, const Reach& re
   std::optional<View> best;
   double best_rate = 0.0;
   for (const Point2& place : places(reach, area, robot.translation())) {
+    if (place != robot.translation() && is_barred(place, wish.barred)) continue;
     const auto seen = visible(grid, place, worth);
     for (int i = 0; i < kHeadings; ++i) {
       View view{.pose = {place.x(), place.y(), wrap_to_pi(robot.yaw_rad + 2.0 * kPi * i / kHeadings)}};

@@ -33,7 +33,11 @@ struct View {
 struct ViewWish {
   std::optional<double> other_than_yaw_rad;  ///< at least a quarter turn away from this one
   std::vector<Pose2> had;                    ///< looked from there already: the same again shows nothing new
+  std::vector<Point2> barred;                ///< the way there was found barred: other places are tried
 };
+
+/// Whether the place is one of those, or near.
+bool is_barred(const Point2& place, const std::vector<Point2>& barred);
 
 /// The next best view: the place and heading with the most unexplored area per second spent, by casting rays
 /// through the grid.

@@ -8,7 +8,7 @@
 namespace enfilade::simulator {
 
 /// Walks the moving solids along their waypoints. One that would step onto the robot waits until the way is
-/// free, as people do.
+/// free and, if that takes long, turns round, as people do.
 class Traffic {
  public:
   Traffic(const World& world, double robot_radius_m, double robot_height_m);
@@ -24,9 +24,13 @@ class Traffic {
   struct Walker {
     MovingSolid moving;
     std::size_t next = 0;  ///< the waypoint ahead
+    bool backwards = false;
+    double waited_s = 0.0;
   };
 
+  static void turn_to_next(Walker& walker);
   Point2 advanced(Walker& walker, Point2 position, double way_m) const;
+  static void wait(Walker& walker, double dt_s);
   void refresh_outlines();
 
   double keep_away_m_;

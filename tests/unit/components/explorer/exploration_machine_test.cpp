@@ -187,6 +187,23 @@ TEST(ExplorationMachine, ComesBackToADoorThatWasBarredWhenNoOtherIsLeft) {
   EXPECT_TRUE(world.run_until(ExplorationPhase::kEntering, 200));
 }
 
+TEST(ExplorationMachine, LooksBehindItselfWhereTheWayToADoorIsBarred) {
+  World world;
+  ASSERT_TRUE(world.run_until(ExplorationPhase::kFixing, 200));
+  // Someone left a trail in the grid all round the robot.
+  const Point2 p = world.pose.translation();
+  for (const auto [x, y, w, h] : {std::array{-0.6, -0.6, 1.2, 0.1}, std::array{-0.6, 0.5, 1.2, 0.1},
+                                  std::array{-0.6, -0.6, 0.1, 1.2}, std::array{0.5, -0.6, 0.1, 1.2}}) {
+    world.grid.apply(
+        0.05, SyntheticRoom().solid(p.x() + x, p.y() + y, p.x() + x + w, p.y() + y + h, 0.0, 0.5).cells());
+  }
+  const double yaw_rad = world.pose.yaw_rad;
+  for (int i = 0; i < 400 && !world.said("there is no way to it"); ++i) world.tick();
+  ASSERT_TRUE(world.said("there is no way to it"));
+  ASSERT_TRUE(world.run_until(ExplorationPhase::kScanning, 60));
+  EXPECT_NEAR(std::abs(wrap_to_pi(world.pose.yaw_rad - yaw_rad)), kPi, 0.1);
+}
+
 TEST(ExplorationMachine, AnUnstableRoomIsFixedInTheEnd) {
   World world;
   for (int i = 0; i < 20000 && world.machine.state().phase != ExplorationPhase::kFixing; ++i) {

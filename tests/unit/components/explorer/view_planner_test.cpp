@@ -104,5 +104,19 @@ TEST(ViewPlanner, DoesNotLookTwiceFromTheSamePose) {
   EXPECT_NE(second.view->pose, first.view->pose);
 }
 
+TEST(ViewPlanner, LooksFromElsewhereWhereTheWayIsBarred) {
+  const auto grid = SyntheticRoom()
+                        .room(0, 0, 4, 4)
+                        .solid(2.5, 1.0, 2.7, 3.0, 0.0, 2.2)
+                        .unexplored(3.9, 1.2, 4.1, 2.8)
+                        .grid();
+  const Planned first = plan(grid, {1, 2, 0});
+  ASSERT_TRUE(first.view);
+  const Point2 barred = first.view->pose.translation();
+  const Planned second = plan(grid, {1, 2, 0}, {.other_than_yaw_rad = {}, .had = {}, .barred = {barred}});
+  ASSERT_TRUE(second.view);
+  EXPECT_GT((second.view->pose.translation() - barred).norm(), 0.4);
+}
+
 }  // namespace
 }  // namespace enfilade::explorer

@@ -72,11 +72,23 @@ TEST(Traffic, WalksToAndFroBetweenItsWaypoints) {
 
 TEST(Traffic, WaitsForARobotInItsWayAndGoesOnAfterwards) {
   Traffic traffic(with_walker(), 0.22, 0.7);
-  for (int i = 0; i < 2000; ++i) traffic.step(0.005, {2.0, 0.3});
+  for (int i = 0; i < 500; ++i) traffic.step(0.005, {2.0, 0.3});
   EXPECT_LT(traffic.positions()[0].y(), 0.3 - 0.4);
   const double waiting_at = traffic.positions()[0].y();
   for (int i = 0; i < 20; ++i) traffic.step(0.005, {-2, -2});
   EXPECT_NEAR(traffic.positions()[0].y(), waiting_at + 0.1, 1e-9);
+}
+
+TEST(Traffic, TurnsRoundBeforeARobotThatStays) {
+  Traffic traffic(with_walker(), 0.22, 0.7);
+  for (int i = 0; i < 500; ++i) traffic.step(0.005, {2.0, 0.3});
+  const double waiting_at = traffic.positions()[0].y();
+  for (int i = 0; i < 700; ++i) traffic.step(0.005, {2.0, 0.3});
+  EXPECT_LT(traffic.positions()[0].y(), waiting_at - 0.3);
+  for (int i = 0; i < 8000; ++i) {  // caught between two waypoints it goes to and fro for ever
+    traffic.step(0.005, {2.0, 0.3});
+    ASSERT_LE(traffic.positions()[0].y(), waiting_at + 0.01);
+  }
 }
 
 TEST(Traffic, IsSeenByTheLaserWhereItIsNow) {
