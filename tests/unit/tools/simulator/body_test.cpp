@@ -85,7 +85,7 @@ TEST(Traffic, TurnsRoundBeforeARobotThatStays) {
   const double waiting_at = traffic.positions()[0].y();
   for (int i = 0; i < 700; ++i) traffic.step(0.005, {2.0, 0.3});
   EXPECT_LT(traffic.positions()[0].y(), waiting_at - 0.3);
-  for (int i = 0; i < 8000; ++i) {  // caught between two waypoints it goes to and fro for ever
+  for (int i = 0; i < 8000; ++i) {  // caught between two waypoints it goes back and forth for ever
     traffic.step(0.005, {2.0, 0.3});
     ASSERT_LE(traffic.positions()[0].y(), waiting_at + 0.01);
   }
