@@ -5,9 +5,9 @@
 #include <bitset>
 #include <cstddef>
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
+#include "components/roomDetector/core/column_index.hpp"
 #include "interfaces/geometry/pose2.hpp"
 #include "interfaces/model/grid.hpp"
 
@@ -18,6 +18,9 @@ inline constexpr int kLevels = 256;
 inline constexpr int kBelowFloor = 16;
 using Levels = std::bitset<kLevels>;
 
+/// The cell layer that holds height `z_m`: 0 lies on the floor. A height on a face between two layers belongs
+/// to the upper one, whatever the rounding of the division.
+int layer_of(double z_m, double resolution_m);
 /// Level index of the cell layer that holds height `z_m`, clamped to what a column knows.
 int level_of(double z_m, double resolution_m);
 /// Height of the lower face of a level.
@@ -58,7 +61,7 @@ class ColumnMap {
   std::vector<Column> columns_;
   std::vector<bool> is_changed_;
   std::vector<std::size_t> changed_;
-  std::unordered_map<std::uint32_t, std::size_t> index_;
+  ColumnIndex index_;
   std::array<int, kLevels> occupied_per_level_{};
 };
 

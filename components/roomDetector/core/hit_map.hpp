@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "components/roomDetector/core/keyed_table.hpp"
 #include "components/roomDetector/core/wall_band.hpp"
 #include "interfaces/model/grid.hpp"
 
@@ -21,10 +22,8 @@ struct WallPoint {
 /// move the wall outwards.
 class HitMap {
  public:
-  /// Sum of the returns of one cell.
+  /// Sum of the returns of some cells.
   struct Sum {
-    std::uint64_t key = 0;
-    int level = 0;
     double x_m = 0.0, y_m = 0.0, z_m = 0.0, count = 0.0;
   };
 
@@ -36,7 +35,7 @@ class HitMap {
   /// Adds the cells of another map with the same cells.
   void add(const HitMap& other);
 
-  bool empty() const { return cells_.empty(); }
+  bool empty() const { return cells_.entries().empty(); }
   std::uint64_t count() const { return count_; }
   /// Mean positions of the returns in the cells of a band of heights.
   std::vector<WallPoint> points(const WallBand& band) const { return points(band.from, band.to); }
@@ -44,17 +43,35 @@ class HitMap {
   /// Calls visit(mean position, count) for every cell.
   template <class Visit>
   void for_each(Visit&& visit) const {
-    for (const Sum& cell : cells_) visit(Point2(cell.x_m / cell.count, cell.y_m / cell.count), cell.count);
+    for (const Cell& cell : cells_.entries()) {
+      const Sum sum = sum_of(cell);
+      visit(Point2(sum.x_m / sum.count, sum.y_m / sum.count), sum.count);
+    }
   }
   /// The returns of the levels, summed up by upright column, in the order of first sight.
   std::vector<Sum> columns(int from_level, int to_level) const;
 
  private:
-  Sum& cell_at(std::uint64_t key, int level);
-  void grow();
+  /// What its returns add up to, counted from its lower corner: a zone holds hundreds of thousands of cells,
+  /// and small numbers lose nothing as floats.
+  struct Cell {
+    std::uint64_t key = 0;
+    float x_m = 0.0F, y_m = 0.0F, z_m = 0.0F;
+    std::uint32_t count = 0;
+  };
+  /// The lower corner of a cell, in cells.
+  struct Corner {
+    int x, y, z;
+  };
 
-  std::vector<std::uint32_t> slots_;  // 1 + index into cells_, by hash of the key; 0 = none
-  std::vector<Sum> cells_;  // in the order of first sight, so that sums come out the same every time
+  static Corner corner_of(std::uint64_t key);
+  static std::uint64_t key_of(const Corner& corner);
+  Sum sum_of(const Cell& cell) const;
+  static bool is_within(const Cell& cell, int from_level, int to_level);
+  void add(const Cell& more);
+
+  double cell_m_ = 0.0, resolution_m_ = 0.0;
+  KeyedTable<Cell> cells_;  // in the order of first sight, so that sums come out the same every time
   std::uint64_t count_ = 0;
 };
 

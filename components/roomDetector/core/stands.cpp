@@ -7,7 +7,7 @@
 namespace enfilade::room_detector {
 namespace {
 
-constexpr double kFineCell_m = 0.01;
+constexpr double kJambCell_m = 0.01;
 
 }  // namespace
 
@@ -21,7 +21,7 @@ void Stands::add(const ScanHits& line, double resolution_m) {
   for (const CellHit& hit : line.hits)
     if (hit.z_m >= config_.jamb_from_m && hit.z_m < config_.jamb_to_m) at_doors.push_back(hit);
   stands_.back().hits.add(line.hits, resolution_m);
-  stands_.back().fine_hits.add(at_doors, 2.0 * config_.jamb_to_m, kFineCell_m);
+  stands_.back().fine_hits.add(at_doors, 2.0 * config_.jamb_to_m, kJambCell_m);
 }
 
 bool Stands::is_new_stand(const Pose2& T_zone_base) const {
