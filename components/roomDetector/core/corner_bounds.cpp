@@ -2,264 +2,220 @@
 #include "components/roomDetector/core/corner_bounds.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "components/roomDetector/core/square_charges.hpp"
 
 namespace enfilade::room_detector {
 namespace {
 
-constexpr int kBlock = CornerBounds::kBlock;
+constexpr int kFarBlock = 5 * CornerBounds::kBlock;
 
-std::size_t at(int row, int columns, int column) {
-  return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
-}
-
-int most_of(const std::vector<int>& values) { return *std::max_element(values.begin(), values.end()); }
-
-int most_of_sum(const int* a, const int* b, int count) {
-  int most = kNever;
-  for (int i = 0; i < count; ++i) most = a[i] + b[i] > most ? a[i] + b[i] : most;
-  return most;
-}
-
-/// to[i] = max(to[i], from[i])
-void raise(int* to, const int* from, int count) {
-  for (int i = 0; i < count; ++i) to[i] = from[i] > to[i] ? from[i] : to[i];
-}
+bool is_far(const LineBlock& block) { return block.farthest - block.nearest >= CornerBounds::kBlock; }
 
 }  // namespace
 
-void CornerBounds::build(const HoughSpace& space, int angle, const HoughSpace::Bins& robot,
-                         const Reaches& reaches, int score) {
-  const int bins = space.lattice().bins(), margin = space.penalties().contour_bins;
-  if (reaches != laid_out_ || margin != margin_ || line_[0].size() != 2 * static_cast<std::size_t>(bins))
-    lay_out(bins, reaches, margin);
-  cast(space, angle, robot);
+CornerChoice CornerBounds::everything(const Reaches& reaches, int near_bins) {
+  LineBlocks blocks;
   for (int s = 0; s < 4; ++s) {
-    for (int half = 0; half < 2; ++half)
-      sum_strips(sides_[s], half, blocks_along(s, half), space.penalties().per_bin);
+    for (int line = 1; line <= reaches[s];) {
+      const int size = line <= near_bins ? kBlock : kFarBlock;
+      blocks[s].push_back({line, std::min(line + size - 1, reaches[s])});
+      line += size;
+    }
   }
-  // No bin of a block is farther from its middle, and walls that begin beside the axis are one bin farther.
-  if (space.free_map().charges())
-    space.free_map().erode((0.5 * kBlock + 1.0) * std::sqrt(2.0) * space.lattice().step_m());
-  for (int d = 0; d < 2; ++d) {
-    for (int p = 0; p < 2; ++p) add_corners(space, angle, robot, d, p);
-  }
-  bound_sides();
-  if (bound_ >= score) bound_pairs(score);
+  return CornerChoice::all(std::move(blocks));
 }
 
-void CornerBounds::lay_out(int bins, const Reaches& reaches, int margin) {
-  const int lines[] = {reaches.d12, reaches.d34, reaches.d41, reaches.d23};
+void CornerBounds::lay_out(const HoughSpace& space, const NearVotes& votes, const CornerChoice& choice) {
+  votes_ = &votes;
+  toll_ = space.penalties().per_bin;
+  asked_ = may_ = choice;
+  std::array<int, 4> near{};
   for (int s = 0; s < 4; ++s) {
-    sides_[s].lines = lines[s];
-    sides_[s].blocks = (lines[s] + kBlock - 1) / kBlock;
+    const auto& blocks = may_.blocks[s];
+    near[s] = static_cast<int>(std::find_if(blocks.begin(), blocks.end(), is_far) - blocks.begin());
+    near_at_[s].assign(
+        blocks.empty() ? 0 : static_cast<std::size_t>(squares_before(s, may_.count(s) - 1)) + 1, -1);
+    for (int b = 0; b < near[s]; ++b) near_at_[s][static_cast<std::size_t>(squares_before(s, b))] = b;
   }
-  int size = 0;
+  strips_.lay_out(may_.blocks, near, space.penalties().contour_bins, votes.farthest_bins() + 2);
+  corners_.lay_out(may_.blocks, votes.scale_bits() + 1);
+}
+
+void CornerBounds::build(const HoughSpace& space, int angle, const HoughSpace::Bins& robot, int score,
+                         int most_of_walls, const PlaneLimits& limits) {
+  const Plane plane{space, angle, robot};
+  strips_.cast(*votes_, space, angle, robot);
+  bound_far_lines(plane);
+  most_inside_ = most_of_walls - score;
+  may_.corners = asked_.corners;
+  corner_count_ = 0;
+  for (int groups = 1; groups <= VoteStrips::kGroups; ++groups) {
+    corners_.clear();
+    for (int d = 0; d < 2; ++d) {
+      for (int p = 0; p < 2; ++p) add_corners(plane, {d, p}, groups);
+    }
+    corners_.solve(score, limits.d, limits.p);
+    if (corners_.bound() < score || !space.free_map().charges()) return;
+    may_.corners = corners_.choice().corners;
+  }
+}
+
+bool CornerBounds::has_far() const {
   for (int s = 0; s < 4; ++s) {
-    for (int half = 0; half < 2; ++half) {
-      sides_[s].strips[half] = size;
-      size += sides_[s].blocks * kBlock * blocks_along(s, half);
+    for (int block = strips_.near(s); block < choice().count(s); ++block) {
+      if (choice().last_partner(s, block, 0) >= 0 || choice().last_partner(s, block, 1) >= 0) return true;
     }
   }
-  strips_.resize(static_cast<std::size_t>(size) + 1);
-  for (const int axis : {0, 1}) lay_out_lines(axis, bins);
-  for (int s = 0; s < 4; ++s) lay_out_along(s, bins);
-  inside_width_ = sides_[kD41].blocks + sides_[kD23].blocks;
-  inside_.resize(at(sides_[kD12].blocks + sides_[kD34].blocks, inside_width_, 1));
-  for (const int axis : {0, 1}) lay_out_inside(axis, bins, margin);
-  laid_out_ = reaches;
-  margin_ = margin;
+  return false;
 }
 
-/// A vote is inside from the first line on that is more than the margin farther out. One within the margin of
-/// the axis may belong to the contour on the other side: it counts for no bound.
-void CornerBounds::lay_out_inside(int axis, int bins, int margin) {
-  inside_of_[axis].assign(static_cast<std::size_t>(2 * bins), -1);
-  for (int b = -bins; b < bins; ++b) {
-    const int block = (std::abs(b) + margin + kBlock - 1) / kBlock, side = 2 * axis + (b > 0);
-    if (std::abs(b) > margin && block < sides_[side].blocks)
-      inside_of_[axis][static_cast<std::size_t>(b + bins)] =
-          ((b > 0 ? sides_[2 * axis].blocks : 0) + block) * (axis == 0 ? inside_width_ : 1);
-  }
-}
-
-/// In a strip, the first lines of all blocks come first, then the second lines, and so on.
-void CornerBounds::lay_out_lines(int axis, int bins) {
-  line_[axis].assign(static_cast<std::size_t>(2 * bins), -1);
-  for (int b = -bins; b < bins; ++b) {
-    const Side& side = sides_[2 * axis + (b > 0)];
-    const int line = std::abs(b) - 1;
-    if (line >= 0 && line < side.lines)
-      line_[axis][static_cast<std::size_t>(b + bins)] = line % kBlock * side.blocks + line / kBlock;
-  }
-}
-
-/// Going round, each wall has its first corner and not its last, and each half of one likewise: the bin on
-/// the axis belongs to one of the halves.
-void CornerBounds::lay_out_along(int s, int bins) {
-  const Side& side = sides_[s];
-  const int first_behind = s == kD12 || s == kD23 ? 0 : 1;
-  along_[s].assign(static_cast<std::size_t>(2 * bins), -1);
-  for (int b = -bins; b < bins; ++b) {
-    const int half = b >= first_behind, distance = half ? b - first_behind : first_behind - 1 - b;
-    if (distance / kBlock < blocks_along(s, half))
-      along_[s][static_cast<std::size_t>(b + bins)] =
-          side.strips[half] + distance / kBlock * side.blocks * kBlock;
-  }
-}
-
-void CornerBounds::cast(const HoughSpace& space, int angle, const HoughSpace::Bins& robot) {
-  std::fill(strips_.begin(), strips_.end(), 0);
-  std::fill(inside_.begin(), inside_.end(), 0);
-  const int bins = space.lattice().bins();
-  const int *line_d = line_[0].data() + bins - robot.d, *line_p = line_[1].data() + bins - robot.p;
-  std::array<const int*, 4> along;
-  for (int s = 0; s < 4; ++s) along[s] = along_[s].data() + bins - (s < kD41 ? robot.p : robot.d);
-  const int *inside_d = inside_of_[0].data() + bins - robot.d,
-            *inside_p = inside_of_[1].data() + bins - robot.p;
-  const int never = static_cast<int>(inside_.size()) - 1;
-  // Votes that no strip holds go into one more bin at the end: a branch for each would cost more than all
-  // else.
-  const int nowhere = static_cast<int>(strips_.size()) - 1;
-  int* const strips = strips_.data();
-  const HoughSpace::Binning binning = space.binning(angle);
-  for (const HoughSpace::WallVote& vote : space.wall_votes()) {
-    HoughSpace::Bins b = binning(vote.x_m, vote.y_m);
-    const bool is_outside = static_cast<unsigned>(b.d) >= static_cast<unsigned>(bins) ||
-                            static_cast<unsigned>(b.p) >= static_cast<unsigned>(bins);
-    if (is_outside) continue;
-    const int d = line_d[b.d], along_p = along[b.d > robot.d ? kD34 : kD12][b.p];
-    strips[(d | along_p) < 0 ? nowhere : d + along_p] += vote.occupied;
-    const int p = line_p[b.p], along_d = along[b.p > robot.p ? kD23 : kD41][b.d];
-    strips[(p | along_d) < 0 ? nowhere : p + along_d] += vote.occupied;
-    const int row = inside_d[b.d], column = inside_p[b.p];
-    inside_[static_cast<std::size_t>((row | column) < 0 ? never : row + column)] += vote.interior;
-  }
-}
-
-/// walls(n, m): the most that a line of block m holds up to the far end of block n along, less the toll up to
-/// the near end.
-void CornerBounds::sum_strips(Side& side, int half, int blocks_along, int toll) {
-  const int width = side.blocks * kBlock;
-  int* strip = strips_.data() + side.strips[half];
-  auto& walls = side.walls[half];
-  walls.assign(at(blocks_along, side.blocks, 0), kNever);
-  for (int n = 0; n < blocks_along; ++n, strip += width) {
-    for (int i = 0; n > 0 && i < width; ++i) strip[i] += strip[i - width];
-    int* most = walls.data() + at(n, side.blocks, 0);
-    for (int line = 0; line < kBlock; ++line) raise(most, strip + line * side.blocks, side.blocks);
-    for (int m = 0; m < side.blocks; ++m) most[m] -= toll * (n * kBlock + 1);
-  }
-}
-
-void CornerBounds::add_corners(const HoughSpace& space, int angle, const HoughSpace::Bins& robot, int d_side,
-                               int p_side) {
-  const Side &d = sides_[d_side], &p = sides_[kD41 + p_side];
-  auto& corners = corners_[d_side][p_side];
-  corners.resize(at(d.blocks, p.blocks, 0));
-  votes_before_.assign(static_cast<std::size_t>(p.blocks), 0);    // by column: inside, in rows up to this one
-  charges_before_.assign(static_cast<std::size_t>(p.blocks), 0);  // and charges in the rows before
-  const int first_row = d_side ? sides_[kD12].blocks : 0, first_column = p_side ? sides_[kD41].blocks : 0;
-  const FreeMap& free = space.free_map();
-  const HoughSpace::BinCentres centres = space.bin_centres(angle);
-  const int last = space.lattice().bins() - 1;
-  for (int m = 0; m < d.blocks; ++m) {
-    int votes = 0, charge_d = 0;
-    const int away = m * kBlock + kBlock / 2, bin_d = std::clamp(robot.d + (d_side ? away : -away), 0, last);
-    for (int n = 0; n < p.blocks; ++n) {
-      const auto column = static_cast<std::size_t>(n);
-      votes += votes_before_[column] += inside_[at(first_row + m, inside_width_, first_column + n)];
-      corners[at(m, p.blocks, n)] = d.walls[p_side][at(n, d.blocks, m)] +
-                                    p.walls[d_side][at(m, p.blocks, n)] - votes - charge_d -
-                                    charges_before_[column];
-      if (!free.charges()) continue;
-      const int across = n * kBlock + kBlock / 2,
-                bin_p = std::clamp(robot.p + (p_side ? across : -across), 0, last);
-      const int least = kBlock * free.least_near(centres.x_at(bin_d, bin_p), centres.y_at(bin_d, bin_p));
-      charge_d += least;
-      charges_before_[column] += least;
-    }
-  }
-}
-
-/// What a block of lines can be part of, whatever the other three sides are: the best two corners on it and
-/// the best two on any line opposite.
-void CornerBounds::bound_sides() {
-  for (int half = 0; half < 2; ++half) {
-    Side &d = sides_[half], &p = sides_[kD41 + half];
-    d.most.assign(static_cast<std::size_t>(d.blocks), 0);
-    for (int m = 0; m < d.blocks; ++m) {
-      for (int other = 0; other < 2; ++other) {
-        const int n = sides_[kD41 + other].blocks;
-        const int* row = corners_[half][other].data() + at(m, n, 0);
-        d.most[static_cast<std::size_t>(m)] += *std::max_element(row, row + n);
-      }
-    }
-    std::vector<int> of_row(static_cast<std::size_t>(p.blocks));
-    p.most.assign(of_row.size(), 0);
-    for (int other = 0; other < 2; ++other) {
-      std::fill(of_row.begin(), of_row.end(), kNever);
-      for (int m = 0; m < sides_[other].blocks; ++m)
-        raise(of_row.data(), corners_[other][half].data() + at(m, p.blocks, 0), p.blocks);
-      for (std::size_t n = 0; n < of_row.size(); ++n) p.most[n] += of_row[n];
-    }
-  }
-  const std::array<int, 4> most{most_of(sides_[0].most), most_of(sides_[1].most), most_of(sides_[2].most),
-                                most_of(sides_[3].most)};
-  bound_ = std::min(most[kD12] + most[kD34], most[kD41] + most[kD23]);
+/// A far line is part of two corners, and what it holds altogether is shared out between them.
+void CornerBounds::bound_far_lines(const Plane& plane) {
   for (int s = 0; s < 4; ++s) {
-    for (int& value : sides_[s].most) value += most[s ^ 1];
+    const auto sums = s < kD41 ? plane.space.sums_by_d(plane.angle) : plane.space.sums_by_p(plane.angle);
+    const int first = s < kD41 ? plane.robot.d : plane.robot.p, step = s % 2 ? 1 : -1;
+    far_[s].clear();
+    for (int block = strips_.near(s); block < may_.count(s); ++block) {
+      const LineBlock& lines = may_.blocks[s][static_cast<std::size_t>(block)];
+      int most = 0;
+      for (int line = lines.nearest; line <= lines.farthest; ++line)
+        most = std::max(most, sums[static_cast<std::size_t>(first + step * line)]);
+      far_[s].push_back((most + 1) / 2);
+    }
   }
 }
 
-/// Every pair of blocks of d₁₂ and d₃₄ that may hold `score`, with the best block of d₄₁ and the best of d₂₃.
-void CornerBounds::bound_pairs(int score) {
-  const int opposite = most_of(sides_[kD12].most);  // the bound of all pairs
-  std::array<int, 2> lines{};
-  const int before = bound_;
-  bound_ = kNever;
-  for (int i = 0; i < sides_[kD12].blocks; ++i) {
-    if (sides_[kD12].most[static_cast<std::size_t>(i)] < score) continue;
-    for (int l = 0; l < sides_[kD34].blocks; ++l) {
-      const int by_sides = sides_[kD12].most[static_cast<std::size_t>(i)] +
-                           sides_[kD34].most[static_cast<std::size_t>(l)] - opposite;
-      if (by_sides < score) continue;
-      int sum = 0;
-      for (int half = 0; half < 2; ++half) {
-        const int n = sides_[kD41 + half].blocks;
-        sum += most_of_sum(corners_[0][half].data() + at(i, n, 0), corners_[1][half].data() + at(l, n, 0), n);
-      }
-      if (sum >= score) lines = {std::max(lines[0], i + 1), std::max(lines[1], l + 1)};
-      if (sum <= bound_) continue;
-      bound_ = sum;
-      best_ = {i, l, 0, 0};
+void CornerBounds::add_corners(const Plane& plane, Quadrant q, int groups) {
+  sum_inside(q);
+  find_reach(q);
+  if (q.rows == 0) return;
+  corner_count_ += q.rows * q.columns;
+  charge(plane, q, groups);
+  if (groups == 1) {
+    hold<1>(q.d_side(), q.p, q.columns);
+    hold<1>(q.p_side(), q.d, q.rows);
+  } else {
+    hold<2>(q.d_side(), q.p, q.columns);
+    hold<2>(q.p_side(), q.d, q.rows);
+  }
+  put_together(q);
+}
+
+/// What lies inside grows with the distance from the robot: beyond some block no corner matters.
+void CornerBounds::sum_inside(Quadrant& q) {
+  q.rows = may_.count(q.d_side());
+  q.columns = may_.count(q.p_side());
+  inside_.resize(static_cast<std::size_t>(q.rows * q.columns));
+  reach_.assign(static_cast<std::size_t>(q.rows), 0);
+  int reach = q.columns;
+  for (int m = 0; m < q.rows && reach > 0; ++m) {
+    const int* const votes = strips_.inside(q.d_side(), m).data() + strips_.inside_column(q.p_side());
+    int* const here = inside_.data() + m * q.columns;
+    int sum = 0, n = 0;
+    for (; n < reach; ++n) {
+      sum += votes[n];
+      here[n] = sum + (m > 0 ? here[n - q.columns] : 0);
+      if (here[n] > most_inside_) break;
+    }
+    reach_[static_cast<std::size_t>(m)] = reach = n;
+  }
+}
+
+/// Beyond the last corner that can matter nothing need be known.
+void CornerBounds::find_reach(Quadrant& q) {
+  int reach = 0;
+  for (int m = q.rows - 1; m >= 0; --m) {
+    int& last = reach_[static_cast<std::size_t>(m)];
+    while (last > reach && !may_.may(q.d, q.p, m, last - 1)) --last;
+    reach = last = std::max(last, reach);
+    if (reach == 0) q.rows = m;
+  }
+  q.columns = reach;
+}
+
+/// The least charge in each square of kBlock / groups lines of d and of p that a near line goes through on
+/// the way to a corner.
+void CornerBounds::charge(const Plane& plane, const Quadrant& q, int groups) {
+  const int d_width = strips_.width(q.d_side()), p_width = strips_.width(q.p_side());
+  const int rows = squares_before(q.d_side(), q.rows - 1) + 1,
+            columns = squares_before(q.p_side(), q.columns - 1) + 1;
+  charge_[0].assign(static_cast<std::size_t>(columns * groups * groups * d_width), 0);
+  charge_[1].assign(static_cast<std::size_t>(rows * groups * groups * p_width), 0);
+  if (!plane.space.free_map().charges()) return;
+  const SquareCharges squares(plane.space, plane.angle, plane.robot, q.d, q.p, kBlock / groups);
+  const auto &d_near = near_at_[q.d_side()], &p_near = near_at_[q.p_side()];
+  for (int square = 0, next = 0; square < rows; ++square) {
+    while (squares_before(q.d_side(), next) < square) ++next;
+    const int m = d_near[static_cast<std::size_t>(square)], reach = reach_[static_cast<std::size_t>(next)];
+    const int last = squares_before(q.p_side(), reach - 1);
+    for (int row = square * groups; row < (square + 1) * groups; ++row) {
+      std::uint8_t* const of_d = charge_[0].data() + row % groups * d_width + m;
+      std::uint8_t* const of_p = charge_[1].data() + row * groups * p_width;
+      const auto charge_at = [&](int across) {
+        const int n = p_near[static_cast<std::size_t>(across)];
+        for (int h = 0; h < groups; ++h) {
+          const auto charge = static_cast<std::uint8_t>(squares.at(row, across * groups + h));
+          if (m >= 0) of_d[(across * groups + h) * groups * d_width] = charge;
+          if (n >= 0) of_p[h * p_width + n] = charge;
+        }
+      };
+      if (m >= 0)
+        for (int across = 0; across <= last; ++across) charge_at(across);
+      else
+        for (int n = 0; n < std::min(reach, strips_.near(q.p_side())); ++n)
+          charge_at(squares_before(q.p_side(), n));
     }
   }
-  bound_ = std::min(bound_, before);
-  if (bound_ < score) return;
-  best_.d41 = best_block(best_.d12, best_.d34, 0);
-  best_.d23 = best_block(best_.d12, best_.d34, 1);
-  const auto out_to = [&](int s, int block) { return std::min(sides_[s].lines, (block + 1) * kBlock); };
-  best_ = {out_to(kD12, best_.d12), out_to(kD34, best_.d34), out_to(kD41, best_.d41),
-           out_to(kD23, best_.d23)};
-  const auto farthest = [&](int s) {
-    int block = sides_[s].blocks - 1;
-    while (block >= 0 && sides_[s].most[static_cast<std::size_t>(block)] < score) --block;
-    return out_to(s, block);
+}
+
+/// The most that a line of each block holds up to the far end of each block along, less what it costs up to
+/// the near end: a corner lies one bin beyond the squares before its block.
+template <int groups>
+void CornerBounds::hold(int side, int half, int rows) {
+  constexpr int kSize = kBlock / groups;
+  const int width = strips_.width(side), axis = side / 2, other = 2 * (1 - axis) + half;
+  const int unit = 1 << votes_->scale_bits();
+  walls_[axis].resize(static_cast<std::size_t>(rows * stride(side)));
+  spent_.assign(static_cast<std::size_t>(groups * width), 0);
+  const std::uint8_t* charge = charge_[axis].data();
+  const auto subtract = [&](const auto* first, const auto* second, int scale, int toll, int* out) {
+    const int *of_first = spent_.data(), *of_second = spent_.data() + (groups - 1) * width;
+    for (int m = 0; m < width; ++m) {
+      const int a = first[m] * scale - of_first[m], b = second[m] * scale - of_second[m];
+      out[m] = (a > b ? a : b) - toll;
+    }
   };
-  reaches_ = {out_to(kD12, lines[0] - 1), out_to(kD34, lines[1] - 1), farthest(kD41), farthest(kD23)};
+  for (int along = 0, square = 0; along < rows; ++along) {
+    for (; square < squares_before(other, along); ++square, charge += groups * groups * width) {
+      for (int i = 0; i < groups * width; ++i) {
+        const int last = charge[(groups - 1) * groups * width + i];
+        spent_[i] += kSize * (groups == 1 ? last : charge[i] + last);
+      }
+    }
+    int* const out = walls_[axis].data() + along * stride(side);
+    const int toll = toll_ * may_.blocks[other][static_cast<std::size_t>(along)].nearest;
+    if (along < strips_.near(other))
+      subtract(strips_.most(side, half, along, 0).data(), strips_.most(side, half, along, 1).data(), unit,
+               toll, out);
+    else
+      subtract(strips_.most_beyond(side, half, 0).data(), strips_.most_beyond(side, half, 1).data(), 1, toll,
+               out);
+    for (std::size_t m = 0; m < far_[side].size(); ++m)
+      out[width + static_cast<int>(m)] = far_[side][m] - toll;
+  }
 }
 
-int CornerBounds::best_block(int d12, int d34, int half) const {
-  const int n = sides_[kD41 + half].blocks;
-  int best = 0, most = kNever;
-  for (int k = 0; k < n; ++k) {
-    const int both = corners_[0][half][at(d12, n, k)] + corners_[1][half][at(d34, n, k)];
-    if (both <= most) continue;
-    most = both;
-    best = k;
+void CornerBounds::put_together(const Quadrant& q) {
+  const int d_stride = stride(q.d_side()), p_stride = stride(q.p_side()), width = may_.count(q.p_side());
+  for (int m = 0; m < q.rows; ++m) {
+    const int *d_wall = walls_[0].data() + column(q.d_side(), m), *p_wall = walls_[1].data() + m * p_stride,
+              *inside = inside_.data() + m * width;
+    for (int n = 0; n < reach_[static_cast<std::size_t>(m)]; ++n) {
+      if (may_.may(q.d, q.p, m, n))
+        corners_.set(q.d, q.p, m, n, d_wall[n * d_stride] + p_wall[column(q.p_side(), n)] - inside[n]);
+    }
   }
-  return best;
 }
 
 }  // namespace enfilade::room_detector

@@ -4,19 +4,15 @@
 #include <array>
 #include <vector>
 
+#include "components/roomDetector/core/corner_blocks.hpp"
 #include "components/roomDetector/core/hough_space.hpp"
+#include "components/roomDetector/core/near_votes.hpp"
 #include "components/roomDetector/core/plane_search.hpp"
+#include "components/roomDetector/core/vote_strips.hpp"
 
 namespace enfilade::room_detector {
 
-/// How many lines on each side of the robot's bin can be walls, in bins: 0 … n - 1 away from it.
-struct Reaches {
-  int d12 = 0, d34 = 0, d41 = 0, d23 = 0;
-  bool is_empty() const { return d12 <= 0 || d34 <= 0 || d41 <= 0 || d23 <= 0; }
-  bool operator==(const Reaches&) const = default;
-};
-
-/// Upper bounds of what rectangles around the robot score in one plane, from blocks of kBlock bins.
+/// Upper bounds of what rectangles around the robot score in one plane, from blocks of lines.
 ///
 /// With the robot in (d_r, p_r), eq. 5 is a sum over the four corners of the rectangle: to corner (d₁₂, d₄₁)
 /// belong the stretches of the two walls between it and the axes d = d_r and p = p_r, and what lies inside
@@ -25,57 +21,82 @@ struct Reaches {
 /// on the way, and what lies inside the smallest rectangle.
 class CornerBounds {
  public:
-  static constexpr int kBlock = 8;
+  static constexpr int kBlock = VoteStrips::kBlock;
 
-  /// Prepares the bounds of one plane for lines within `reaches`, as far as it takes to tell whether it holds
-  /// `score`.
-  void build(const HoughSpace& space, int angle, const HoughSpace::Bins& robot, const Reaches& reaches,
-             int score);
+  /// All lines of planes around the robot with these reaches, in blocks: those beyond `near_bins`, a multiple
+  /// of kBlock, in larger ones.
+  static CornerChoice everything(const Reaches& reaches, int near_bins);
+  /// These corners count in the next planes. Blocks begin at distances 1 + k · kBlock; larger ones than
+  /// kBlock are far and the last of their side.
+  void lay_out(const HoughSpace& space, const NearVotes& votes, const CornerChoice& choice);
+  /// Looks for rectangles of a plane that may have `score`; no walls hold more than `most_of_walls`, less
+  /// tolls. First charges are taken by whole blocks, then by quarters.
+  void build(const HoughSpace& space, int angle, const HoughSpace::Bins& robot, int score, int most_of_walls,
+             const PlaneLimits& limits);
 
-  /// How much there is to sum up.
-  int bins() const { return static_cast<int>(strips_.size()); }
-  /// No rectangle of the plane scores more.
-  int bound() const { return bound_; }
-  /// Lines farther out than this are no part of a rectangle with the score that was asked for.
-  Reaches reaches() const { return reaches_; }
-  /// The lines out to the best blocks: a good place to look first.
-  Reaches best_reaches() const { return best_; }
+  /// Looks again, for a higher score.
+  void raise(int score, const PlaneLimits& limits) { corners_.solve(score, limits.d, limits.p); }
+  /// No rectangle of the plane scores more, if that is as much as the score asked for.
+  int bound() const { return corners_.bound(); }
+  /// All corners that can be part of a rectangle with that score.
+  const CornerChoice& choice() const { return corners_.choice(); }
+  /// What this took, in microseconds or so.
+  int work() const { return 1 + strips_.cast_votes() / 150 + corner_count_ / 14; }
+  /// Whether far lines are among them, of which little is known.
+  bool has_far() const;
+  /// Those of the best blocks: a good place to look first.
+  CornerChoice best() const { return corners_.best(); }
 
  private:
-  enum { kD12, kD34, kD41, kD23 };
-
-  /// The lines on one side of the robot, with their votes on both sides of its other axis.
-  struct Side {
-    int lines = 0;
-    int blocks = 0;                         // of lines, kBlock in each
-    std::array<int, 2> strips{};            // where those before and behind the axis begin in strips_
-    std::array<std::vector<int>, 2> walls;  // most of any line: by block along, then block of lines
-    std::vector<int> most;                  // over all rectangles with a line of the block
+  /// d is 0 for d₁₂, p is 0 for d₄₁.
+  struct Quadrant {
+    int d, p;
+    int rows = 0, columns = 0;  // of blocks, out to the last corner that can matter
+    int d_side() const { return d; }
+    int p_side() const { return kD41 + p; }
+  };
+  /// The plane at hand.
+  struct Plane {
+    const HoughSpace& space;
+    int angle;
+    HoughSpace::Bins robot;
   };
 
-  void lay_out(int bins, const Reaches& reaches, int margin);
-  void lay_out_inside(int axis, int bins, int margin);
-  void lay_out_lines(int axis, int bins);
-  void lay_out_along(int side, int bins);
-  void cast(const HoughSpace& space, int angle, const HoughSpace::Bins& robot);
-  void sum_strips(Side& side, int half, int blocks_along, int toll);
-  void add_corners(const HoughSpace& space, int angle, const HoughSpace::Bins& robot, int d_side, int p_side);
-  int blocks_along(int side, int half) const { return sides_[side < kD41 ? kD41 + half : half].blocks; }
-  void bound_sides();
-  void bound_pairs(int score);
-  int best_block(int d12, int d34, int half) const;
+  void bound_far_lines(const Plane& plane);
+  void add_corners(const Plane& plane, Quadrant q, int groups);
+  void sum_inside(Quadrant& q);
+  void find_reach(Quadrant& q);
+  void charge(const Plane& plane, const Quadrant& q, int groups);
+  template <int groups>
+  void hold(int side, int half, int rows);
+  void put_together(const Quadrant& q);
 
-  std::array<Side, 4> sides_;
-  std::vector<int> strips_;
-  std::array<std::vector<int>, 2> line_;       // by axis: of each bin from the robot's, its place in a strip
-  std::array<std::vector<int>, 4> along_;      // by side: of each bin across, likewise, its strip
-  std::array<std::vector<int>, 2> inside_of_;  // by axis: its row or column in inside_
-  std::vector<int> inside_;                    // interior votes by block of d, block of p
-  int inside_width_ = 0, margin_ = -1;
-  std::array<std::array<std::vector<int>, 2>, 2> corners_;  // by quadrant: bounds by block of d, block of p
-  std::vector<int> votes_before_, charges_before_;
-  Reaches laid_out_, best_, reaches_;
-  int bound_ = 0;
+  /// How many squares of kBlock bins lie between the robot and a block.
+  int squares_before(int side, int block) const {
+    return (may_.blocks[side][static_cast<std::size_t>(block)].nearest - 1) / kBlock;
+  }
+  /// Of a row of walls: near blocks, padded, then far ones.
+  int stride(int side) const { return strips_.width(side) + may_.count(side) - strips_.near(side); }
+  /// Where a block stands in such a row.
+  int column(int side, int block) const {
+    return block < strips_.near(side) ? block : strips_.width(side) + block - strips_.near(side);
+  }
+
+  const NearVotes* votes_ = nullptr;
+  int toll_ = 0;
+  int corner_count_ = 0;
+  int most_inside_ = 0;  // of a rectangle that may have the score
+  CornerChoice asked_, may_;
+  std::array<std::vector<int>, 4> near_at_;  // by side and square: the near block there; -1 = none
+  VoteStrips strips_;
+  CornerBlocks corners_;
+  std::array<std::vector<int>, 4> far_;  // half of the most that a line of each far block holds
+  std::vector<int> reach_;               // of one quadrant: blocks of p that matter, by block of d
+  std::vector<int> inside_;              // of one quadrant, row by row
+  using Bytes = std::vector<std::uint8_t>;
+  std::array<Bytes, 2> charge_;            // by axis: for each square along, its groups of lines, all blocks
+  std::array<std::vector<int>, 2> walls_;  // by axis: row by row along, over the blocks of lines
+  std::vector<int> spent_;
 };
 
 }  // namespace enfilade::room_detector

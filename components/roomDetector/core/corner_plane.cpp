@@ -21,131 +21,23 @@ int most_of_sum(const int* a, const int* b, std::size_t count) {
 
 }  // namespace
 
-void CornerPlane::build(const HoughSpace& space, int angle, const HoughSpace::Bins& robot,
-                        const Reaches& reaches) {
+void CornerPlane::build(const HoughSpace& space, const NearVotes& votes, int angle,
+                        const HoughSpace::Bins& robot, const CornerChoice& choice) {
   alpha_ = angle;
-  toll_ = space.penalties().per_bin;
-  margin_ = space.penalties().contour_bins;
-  cast(space, robot, reaches);
-  if (space.free_map().charges()) charge(space);
-  accumulate();
-  column_p_.clear();
-  for (int c = 0; c < columns_; ++c) {
-    if (c == robot_column_) behind_ = column_p_.size();
-    if (c != robot_column_) column_p_.push_back(first_p_ + c);
-  }
-  fill(left_, 0, robot_row_, true);
-  fill(right_, robot_row_ + 1, rows_, false);
-}
-
-void CornerPlane::cast(const HoughSpace& space, const HoughSpace::Bins& robot, const Reaches& reaches) {
-  rows_ = reaches.d12 + 1 + reaches.d34;
-  columns_ = reaches.d41 + 1 + reaches.d23;
-  robot_row_ = reaches.d12;
-  robot_column_ = reaches.d41;
-  first_d_ = robot.d - reaches.d12;
-  first_p_ = robot.p - reaches.d41;
-  const auto size = static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns_);
-  weight_.assign(size, 0);
-  has_interior_ = false;
-  for (const HoughSpace::WallVote& vote : space.wall_votes()) {
-    const HoughSpace::Bins b = space.bins_at(alpha_, vote.x_m, vote.y_m);
-    const int row = b.d - first_d_, column = b.p - first_p_;
-    if (row < 0 || column < 0 || row >= rows_ || column >= columns_) continue;
-    const std::size_t i =
-        static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
-    weight_[i] += vote.occupied;
-    if (vote.interior == 0) continue;
-    if (!has_interior_)
-      interior_.assign(static_cast<std::size_t>(rows_ + 1) * static_cast<std::size_t>(columns_ + 1), 0);
-    has_interior_ = true;
-    interior_[i + static_cast<std::size_t>(row)] += vote.interior;
-  }
-}
-
-void CornerPlane::charge(const HoughSpace& space) {
-  const HoughSpace::BinCentres centres = space.bin_centres(alpha_);
-  const FreeMap& free = space.free_map();
-  int* weight = weight_.data();
-  for (int row = 0; row < rows_; ++row) {
-    std::int32_t x = centres.x_at(first_d_ + row, first_p_), y = centres.y_at(first_d_ + row, first_p_);
-    for (int c = 0; c < columns_; ++c, x -= centres.y_by_d, y += centres.x_by_d)
-      *weight++ -= free.charge_at(x, y);
-  }
-}
-
-/// Sums up along p, along d, and over areas: each entry holds what lies before it.
-void CornerPlane::accumulate() {
-  const auto width = static_cast<std::size_t>(columns_ + 1);
-  const auto size = static_cast<std::size_t>(rows_ + 1) * width;
-  along_p_.resize(size);
-  along_d_.resize(size);
-  std::fill_n(along_d_.begin(), width, 0);
-  for (int r = 0; r < rows_; ++r) {
-    const int* weight = weight_.data() + static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_);
-    const std::size_t row = static_cast<std::size_t>(r) * width;
-    int sum = 0;
-    for (std::size_t c = 0; c < width - 1; ++c) {
-      along_p_[row + c] = sum;
-      sum += weight[c];
-    }
-    along_p_[row + width - 1] = sum;
-    for (std::size_t c = 0; c < width - 1; ++c) along_d_[row + width + c] = along_d_[row + c] + weight[c];
-  }
-  if (!has_interior_) return;
-  std::vector<int> above(width, 0);
-  for (int r = 0; r <= rows_; ++r) {
-    int* row = interior_.data() + static_cast<std::size_t>(r) * width;
-    int sum = 0;
-    for (std::size_t c = 0; c < width; ++c) {
-      const int vote = row[c];
-      row[c] = sum;
-      sum += above[c];
-      above[c] += vote;
-    }
-  }
-}
-
-int CornerPlane::interior_at(int d, int p) const {
-  if (!has_interior_) return 0;
-  return interior_[static_cast<std::size_t>(std::clamp(d, 0, rows_)) *
-                       static_cast<std::size_t>(columns_ + 1) +
-                   static_cast<std::size_t>(std::clamp(p, 0, columns_))];
-}
-
-/// The terms of eq. 5 that belong to the corners on the lines from ≤ d < to: two half walls, their tolls and
-/// the interior up to the robot's bin.
-void CornerPlane::fill(Corners& corners, int from, int to, bool is_first) {
-  const auto width = static_cast<std::size_t>(columns_ + 1), count = column_p_.size();
-  const auto rd = static_cast<std::size_t>(robot_row_), rp = static_cast<std::size_t>(robot_column_);
-  corners.lines.clear();
-  corners.terms.resize(static_cast<std::size_t>(to - from) * count);
-  for (int d = from; d < to; ++d) {
-    corners.lines.push_back(first_d_ + d);
-    int* term = corners.terms.data() + static_cast<std::size_t>(d - from) * count;
-    const auto row = static_cast<std::size_t>(d) * width;
-    const int* p_of = along_p_.data() + row;
-    const int* d_of = along_d_.data() + row;
-    const int *d_robot = along_d_.data() + rd * width, *after = d_robot + width;
-    const int away = toll_ * (is_first ? robot_row_ - d : d - robot_row_);
-    for (std::size_t p = 0; p < rp; ++p) {  // d₄₁ = p
-      const int half_d = is_first ? p_of[rp] - p_of[p] : p_of[rp + 1] - p_of[p + 1];
-      const int half_p = is_first ? after[p] - d_of[width + p] : d_of[width + p] - after[p];
-      term[p] = half_d + half_p - away - toll_ * static_cast<int>(rp - p);
-    }
-    for (std::size_t p = rp + 1; p + 1 < width; ++p) {  // d₂₃ = p
-      const int half_d = is_first ? p_of[p] - p_of[rp] : p_of[p + 1] - p_of[rp + 1];
-      const int half_p = is_first ? d_robot[p] - d_of[p] : d_of[p] - d_robot[p];
-      term[p - 1] = half_d + half_p - away - toll_ * static_cast<int>(p - rp);
-    }
-    if (!has_interior_) continue;
-    const int edge = is_first ? d + 1 + margin_ : d - margin_, sign = is_first ? 1 : -1;
-    for (int p = 0; p < robot_column_; ++p)
-      term[p] -= sign * (interior_at(robot_row_, robot_column_) - interior_at(edge, robot_column_) -
-                         interior_at(robot_row_, p + 1 + margin_) + interior_at(edge, p + 1 + margin_));
-    for (int p = robot_column_ + 1; p < columns_; ++p)
-      term[p - 1] -= sign * (interior_at(robot_row_, p - margin_) - interior_at(edge, p - margin_) -
-                             interior_at(robot_row_, robot_column_) + interior_at(edge, robot_column_));
+  robot_ = robot;
+  scale_bits_ = votes.scale_bits();
+  corner_lines_.build(space, votes, angle, robot, choice);
+  column_p_ = corner_lines_.lines(1);
+  behind_ = static_cast<std::size_t>(corner_lines_.before(1));
+  const int middle = corner_lines_.before(0), end = static_cast<int>(corner_lines_.lines(0).size());
+  for (Corners* corners : {&left_, &right_}) {
+    const int from = corners == &left_ ? 0 : middle, to = corners == &left_ ? middle : end;
+    const auto& d = corner_lines_.lines(0);
+    corners->lines.assign(d.begin() + from, d.begin() + to);
+    corners->terms.resize(corners->lines.size() * column_p_.size());
+    for (int line = from; line < to; ++line)
+      corner_lines_.fill(line,
+                         corners->terms.data() + static_cast<std::size_t>(line - from) * column_p_.size());
   }
 }
 
@@ -219,48 +111,103 @@ void CornerPlane::keep_columns(Corners& corners, const std::vector<std::size_t>&
   }
 }
 
-int CornerPlane::bound_of_pair(std::size_t first, std::size_t second) const {
+/// Whether any are left.
+bool CornerPlane::drop_lines(int score) {
+  for (bool drops = true; drops;) {
+    drops = drop_rows(score);
+    if (left_.lines.empty() || right_.lines.empty()) return false;
+    drops = drop_columns(score) && drops;
+    if (behind_ == 0 || behind_ == column_p_.size()) return false;
+  }
+  return true;
+}
+
+/// By side: outward from the robot, up to kBlock rows or columns each.
+void CornerPlane::lay_out_blocks() {
+  std::array<std::vector<LineBlock>, 4> sides;
+  const auto add = [&](int side, std::size_t from, std::size_t to, const auto& lines, int robot) {
+    ranges_[side].push_back({from, to});
+    const int a = std::abs(lines[from] - robot), b = std::abs(lines[to - 1] - robot);
+    sides[side].push_back({std::min(a, b), std::max(a, b)});
+  };
+  const auto cut = [&](int side, std::size_t from, std::size_t to, const auto& lines, int robot) {
+    ranges_[side].clear();
+    for (std::size_t i = from; i < to; i += CornerBounds::kBlock)
+      add(side, i, std::min(to, i + CornerBounds::kBlock), lines, robot);
+  };
+  cut(kD12, 0, left_.lines.size(), left_.lines, robot_.d);
+  cut(kD34, 0, right_.lines.size(), right_.lines, robot_.d);
+  cut(kD41, 0, behind_, column_p_, robot_.p);
+  cut(kD23, behind_, column_p_.size(), column_p_, robot_.p);
+  blocks_.lay_out(sides, scale_bits_ + 1);
+}
+
+void CornerPlane::fill_blocks() {
   const std::size_t count = column_p_.size();
-  const int *a = left_.terms.data() + first * count, *b = right_.terms.data() + second * count;
-  return most_of_sum(a, b, behind_) + most_of_sum(a + behind_, b + behind_, count - behind_);
+  std::vector<int> most(count);
+  for (int d = 0; d < 2; ++d) {
+    const Corners& corners = d ? right_ : left_;
+    for (std::size_t m = 0; m < ranges_[d].size(); ++m) {
+      std::fill(most.begin(), most.end(), kNever);
+      for (std::size_t r = ranges_[d][m].from; r < ranges_[d][m].to; ++r) {
+        const int* row = corners.terms.data() + r * count;
+        for (std::size_t c = 0; c < count; ++c) most[c] = row[c] > most[c] ? row[c] : most[c];
+      }
+      for (int p = 0; p < 2; ++p) {
+        const auto& columns = ranges_[kD41 + p];
+        for (std::size_t n = 0; n < columns.size(); ++n)
+          blocks_.set(d, p, static_cast<int>(m), static_cast<int>(n),
+                      most_of(most.data() + columns[n].from, most.data() + columns[n].to));
+      }
+    }
+  }
 }
 
 void CornerPlane::search(const PlaneLimits& limits, Incumbent& best) {
-  for (bool drops = true; drops;) {
-    drops = drop_rows(best.score);
-    if (left_.lines.empty() || right_.lines.empty()) return;
-    drops = drop_columns(best.score) && drops;
-    if (behind_ == 0 || behind_ == column_p_.size()) return;
+  if (left_.lines.empty() || right_.lines.empty() || column_p_.empty() || !drop_lines(best.score)) return;
+  lay_out_blocks();
+  fill_blocks();
+  blocks_.solve(best.score, limits.d, limits.p);
+  auto pairs = blocks_.pairs();
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const auto& a, const auto& b) { return a.bound > b.bound; });
+  for (const CornerBlocks::Pair& pair : pairs) {
+    if (pair.bound < best.score) break;
+    if (!best.has_budget()) {
+      best.gap_bound = std::max(best.gap_bound, pair.bound);
+      return;
+    }
+    search_blocks(pair, limits, best);
   }
-  bound_rows(left_);
-  bound_rows(right_);
-  const auto order_of = [](const Corners& corners) {
-    std::vector<std::size_t> order(corners.lines.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](auto a, auto b) { return corners.most[a] > corners.most[b]; });
-    return order;
-  };
-  const auto lefts = order_of(left_), rights = order_of(right_);
-  for (const std::size_t i : lefts) {
-    if (left_.most[i] + right_.most[rights.front()] < best.score) break;
-    for (const std::size_t l : rights) {
-      const int bound = left_.most[i] + right_.most[l];
-      if (bound < best.score) break;
+}
+
+void CornerPlane::search_blocks(const CornerBlocks::Pair& pair, const PlaneLimits& limits, Incumbent& best) {
+  const auto& across = blocks_.across(pair.first, pair.second, best.score, limits.p);
+  if (across.bound < best.score) return;
+  before_.clear();
+  after_.clear();
+  for (const int j : across.d41) before_.push_back(ranges_[kD41][j]);
+  for (const int k : across.d23) after_.push_back(ranges_[kD23][k]);
+  const Range lefts = ranges_[kD12][pair.first], rights = ranges_[kD34][pair.second];
+  const std::size_t count = column_p_.size();
+  for (std::size_t i = lefts.from; i < lefts.to; ++i) {
+    for (std::size_t l = rights.from; l < rights.to; ++l) {
       const int gap = right_.lines[l] - left_.lines[i];
       if (gap < limits.d.min_gap || gap > limits.d.max_gap) continue;
-      const BinRectangle first{alpha_, left_.lines[i], right_.lines[l], 0, 0};
-      if (!best.may_lose_to(bound, first)) continue;
-      if (!best.has_budget()) {
-        best.gap_bound = std::max(best.gap_bound, bound);
-        return;
-      }
-      ++best.expansions;
-      if (!best.may_lose_to(bound_of_pair(i, l), first)) continue;
-      best.expansions += 4;
+      const int bound = bound_of_lines(left_.terms.data() + i * count, right_.terms.data() + l * count);
+      if (!best.may_lose_to(bound, {alpha_, left_.lines[i], right_.lines[l], 0, 0})) continue;
+      best.expansions += 1 + static_cast<int>(column_p_.size() / 128);
       solve_pair(i, l, limits, best);
     }
   }
+  best.expansions += 1 + static_cast<int>((lefts.to - lefts.from) * (rights.to - rights.from)) / 16;
+}
+
+int CornerPlane::bound_of_lines(const int* a, const int* b) const {
+  int d41 = kNever, d23 = kNever;
+  for (const Range& r : before_) d41 = std::max(d41, most_of_sum(a + r.from, b + r.from, r.to - r.from));
+  for (const Range& r : after_) d23 = std::max(d23, most_of_sum(a + r.from, b + r.from, r.to - r.from));
+  return d41 + d23;
 }
 
 void CornerPlane::solve_pair(std::size_t first, std::size_t second, const PlaneLimits& limits,
@@ -269,12 +216,12 @@ void CornerPlane::solve_pair(std::size_t first, std::size_t second, const PlaneL
   const int *a = left_.terms.data() + first * count, *b = right_.terms.data() + second * count;
   // Lines of p that were dropped stay between those that were not, for the distances to be right.
   const int from = column_p_.front(), bins = column_p_.back() - from + 1;
-  std::vector<int> sums(static_cast<std::size_t>(bins), kNever);
-  for (std::size_t c = 0; c < count; ++c) sums[static_cast<std::size_t>(column_p_[c] - from)] = a[c] + b[c];
+  sums_.assign(static_cast<std::size_t>(bins), kNever);
+  for (std::size_t c = 0; c < count; ++c) sums_[static_cast<std::size_t>(column_p_[c] - from)] = a[c] + b[c];
   WindowLimits of_p = limits.p;
   of_p.last_first -= from;
   of_p.first_second -= from;
-  const auto sum = [&](int p) { return sums[static_cast<std::size_t>(p)]; };
+  const auto sum = [&](int p) { return sums_[static_cast<std::size_t>(p)]; };
   const Window found = best_window(bins, of_p, sum, sum);
   if (found.first < 0) return;
   best.offer({alpha_, left_.lines[first], right_.lines[second], found.first + from, found.second + from},

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
+#include "components/roomDetector/core/zeroed_array.hpp"
 #include "interfaces/geometry/pose2.hpp"
 
 namespace enfilade::room_detector {
@@ -29,39 +32,78 @@ class FreeMap {
   int charge_at(std::int32_t fixed_x, std::int32_t fixed_y) const {
     return charge_[at(fixed_x >> kBits, fixed_y >> kBits)];
   }
-
-  /// No more than the least charge within the radius that `erode` was called with since the map changed.
-  int least_near(std::int32_t fixed_x, std::int32_t fixed_y) const {
-    const int shift = kBits + kBlockBits;
-    return eroded_[static_cast<std::size_t>(fixed_x >> shift) * static_cast<std::size_t>(blocks_) +
-                   static_cast<std::size_t>(fixed_y >> shift)];
-  }
-  void erode(double radius_m) const;
+  /// No charge lies farther from a point.
+  double farthest_m(const Point2& p) const;
 
   static constexpr int kBits = 16;
   static constexpr double kOne = 1 << kBits;
 
+  /// Lower bounds of the charges around each place, 255 at most.
+  struct Least {
+    const std::uint8_t* charges;
+    std::size_t blocks;
+    int at(std::int32_t fixed_x, std::int32_t fixed_y) const {
+      const int shift = kBits + kBlockBits;
+      return charges[static_cast<std::size_t>(fixed_x >> shift) * blocks +
+                     static_cast<std::size_t>(fixed_y >> shift)];
+    }
+  };
+  /// No more than any charge at most so far away along each axis. Valid until the map changes.
+  Least least_within(double distance_m) const;
+
  private:
-  static constexpr int kBlockBits = 2;
+  static constexpr int kBlockBits = 1;
+  static constexpr int kReaches = 4;  // kept at a time
+
+  /// Rows and columns from ≤ i < to, of cells or of blocks of them.
+  struct Box {
+    int from_x = 1 << 20, to_x = 0, from_y = 1 << 20, to_y = 0;
+    bool is_empty() const { return from_x >= to_x; }
+    void add(const Box& other) {
+      from_x = std::min(from_x, other.from_x);
+      to_x = std::max(to_x, other.to_x);
+      from_y = std::min(from_y, other.from_y);
+      to_y = std::max(to_y, other.to_y);
+    }
+    Box grown(int by, int end) const {
+      return {std::max(0, from_x - by), std::min(end, to_x + by), std::max(0, from_y - by),
+              std::min(end, to_y + by)};
+    }
+  };
+  /// The least charges up to `reach` blocks away; what the box holds is out of date.
+  struct Eroded {
+    int reach = 0;
+    Box stale;
+    ZeroedArray<std::uint8_t> charges;
+  };
 
   std::size_t at(int x, int y) const {
     return static_cast<std::size_t>(x) * static_cast<std::size_t>(side_) + static_cast<std::size_t>(y);
   }
   bool holds(int x, int y) const { return x >= 0 && y >= 0 && x < side_ && y < side_; }
+  void allocate();
   void price(int x, int y);
   void price_around(int x, int y, int reach);
-  void note_change(int x, int y);
+  bool is_near_occupied(int x, int y) const;
+  std::size_t block_at(int x, int y) const {
+    return static_cast<std::size_t>(x) * static_cast<std::size_t>(blocks_) + static_cast<std::size_t>(y);
+  }
+  static Box blocks_of(const Box& cells);
+  void update_least() const;
+  void erode(Eroded& eroded) const;
 
   double cell_m_;
   int first_x_, first_y_;
   int side_, blocks_;
   double per_free_ = 0.0;
   int near_cells_ = 0;
-  std::vector<std::int16_t> free_, occupied_, charge_;
-  std::vector<std::int16_t> least_;  // charge of each block
-  int low_block_, high_block_ = 0;   // between them, by each axis, lie the blocks that charge
-  mutable std::vector<std::int16_t> eroded_;
-  mutable int eroded_reach_ = -1;  // of eroded_, in blocks; -1: the map has changed since
+  ZeroedArray<std::int16_t> free_, charge_;
+  ZeroedArray<std::uint8_t> occupied_;
+  Box known_;                                // cells with votes
+  mutable Box changed_;                      // cells whose charge has, since least_ was
+  mutable ZeroedArray<std::uint8_t> least_;  // charge of each block
+  mutable std::array<Eroded, kReaches> eroded_;
+  mutable std::vector<std::uint8_t> by_row_;
 };
 
 }  // namespace enfilade::room_detector

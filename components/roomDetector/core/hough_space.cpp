@@ -6,6 +6,8 @@
 namespace enfilade::room_detector {
 namespace {
 
+constexpr int kBeyond_bins = 9;  // that blocks of bins may reach beyond the space
+
 std::uint64_t mix(std::uint64_t h, std::uint64_t value) {
   h = (h ^ value) * 0x9e3779b97f4a7c15u;
   return h ^ h >> 29;
@@ -24,7 +26,7 @@ std::uint64_t fingerprint_of(std::size_t index, const Vote& vote) {
 HoughSpace::HoughSpace(const HoughConfig& config, const Point2& origin, double cell_m)
     : lattice_(config),
       origin_(origin),
-      free_map_(cell_m, origin, std::sqrt(2.0) * (config.range_m + config.step_m)) {
+      free_map_(cell_m, origin, std::sqrt(2.0) * (config.range_m + kBeyond_bins * config.step_m)) {
   for (int a = 0; a < lattice_.angles(); ++a) {
     directions_.push_back({std::cos(lattice_.alpha_rad(a)), std::sin(lattice_.alpha_rad(a))});
   }

@@ -66,13 +66,17 @@ class HoughSpace {
     const Point2 q = position - origin_;
     return bins_at(angle, q.x(), q.y());
   }
+  struct Direction {
+    double cos, sin;
+  };
+  const Direction& direction(int angle) const { return directions_[static_cast<std::size_t>(angle)]; }
   /// The same from the origin.
   struct Binning {
     HoughLattice::Binning bin;
     double cos, sin;
-    Bins operator()(double x_m, double y_m) const {
-      return {bin(x_m * cos + y_m * sin), bin(y_m * cos - x_m * sin)};
-    }
+    int d(double x_m, double y_m) const { return bin(x_m * cos + y_m * sin); }
+    int p(double x_m, double y_m) const { return bin(y_m * cos - x_m * sin); }
+    Bins operator()(double x_m, double y_m) const { return {d(x_m, y_m), p(x_m, y_m)}; }
   };
   Binning binning(int angle) const {
     const Direction& n = directions_[static_cast<std::size_t>(angle)];
@@ -105,9 +109,6 @@ class HoughSpace {
   int score(const BinRectangle& r) const;
 
  private:
-  struct Direction {
-    double cos, sin;
-  };
   void add(const Point2& position, int occupied);
   void keep_wall_vote(std::size_t index, const Vote& vote);
   std::size_t bins() const { return static_cast<std::size_t>(lattice_.bins()); }

@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
-#include <span>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "components/roomDetector/core/baselines.hpp"
@@ -31,35 +30,6 @@ PlaneLimits limits_of(const HoughSpace& space, int angle, const SearchConfig& co
     limits.p.first_second = bins.p + 1;
   }
   return limits;
-}
-
-/// A plane not yet looked into, with the best bound known.
-struct Plane {
-  int bound;
-  int angle;
-  int bounded_at = kNever;  ///< the score to beat when the reaches were taken from the bounds of corners …
-  Reaches reaches;          ///< … or all that the limits allow
-
-  bool operator<(const Plane& other) const {
-    return bound < other.bound || (bound == other.bound && angle > other.angle);
-  }
-};
-
-Reaches reaches_of(const HoughSpace& space, const HoughSpace::Bins& robot, const PlaneLimits& limits) {
-  const int bins = space.lattice().bins(), d = limits.d.max_gap - 1, p = limits.p.max_gap - 1;
-  return {std::min(robot.d, d), std::min(bins - 1 - robot.d, d), std::min(robot.p, p),
-          std::min(bins - 1 - robot.p, p)};
-}
-
-/// The best line on each side of the robot, by their sums alone.
-int bound_by_sums(std::span<const int> sums, int robot, int before, int behind) {
-  const auto most = [&](int from, int to) {
-    int value = 0;
-    for (int i = from; i < to; ++i)
-      value = sums[static_cast<std::size_t>(i)] > value ? sums[static_cast<std::size_t>(i)] : value;
-    return value;
-  };
-  return most(robot - before, robot) + most(robot + 1, robot + 1 + behind);
 }
 
 bool fits(const BinRectangle& r, const HoughSpace& space, const PlaneLimits& limits) {
@@ -104,7 +74,7 @@ std::optional<SearchResult> RectangleSearch::search(const HoughSpace& space,
   if (config_.search != SearchMethod::kExact) {
     search_each_plane(space, robot, best);
   } else if (begin_with_last(space, robot, best); robot && config_.robot_inside) {
-    search_around(space, *robot, best);
+    around_.search(space, *robot, limits_of(space, 0, config_, std::nullopt).d, best);
   } else {
     search_anywhere(space, best);
   }
@@ -141,66 +111,21 @@ void RectangleSearch::search_each_plane(const HoughSpace& space, const std::opti
 
 void RectangleSearch::search_anywhere(const HoughSpace& space, Incumbent& best) {
   const PlaneLimits limits = limits_of(space, 0, config_, std::nullopt);
-  std::vector<Plane> planes;
+  std::vector<std::pair<int, int>> planes;  // (bound, angle)
   for (int a = 0; a < space.lattice().angles(); ++a)
-    planes.push_back({bound_of(space, a, limits).total(), a, kNever, {}});
-  std::sort(planes.rbegin(), planes.rend());
-  for (const Plane& plane : planes) {
-    if (!best.may_lose_to(plane.bound, {plane.angle, 0, 0, 0, 0})) continue;
+    planes.emplace_back(bound_of(space, a, limits).total(), a);
+  std::stable_sort(planes.begin(), planes.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  for (const auto& [bound, angle] : planes) {
+    if (!best.may_lose_to(bound, {angle, 0, 0, 0, 0})) continue;
     if (best.planes_opened > 0 && !best.has_budget()) {
-      best.gap_bound = std::max(best.gap_bound, plane.bound);
+      best.gap_bound = std::max(best.gap_bound, bound);
       break;
     }
-    plane_.build(space, plane.angle);
+    plane_.build(space, angle);
     best.expansions += plane_.bins();
     ++best.planes_opened;
     search_plane(plane_, space, limits, best);
-  }
-}
-
-void RectangleSearch::look_into(const HoughSpace& space, int angle, const HoughSpace::Bins& robot,
-                                const Reaches& reaches, const PlaneLimits& limits, Incumbent& best) {
-  corners_.build(space, angle, robot, reaches);
-  best.expansions += 1 + (reaches.d12 + reaches.d34) * (reaches.d41 + reaches.d23) / 128;
-  ++best.planes_opened;
-  corners_.search(limits, best);
-}
-
-void RectangleSearch::search_around(const HoughSpace& space, const Point2& robot, Incumbent& best) {
-  std::priority_queue<Plane> planes;
-  for (int a = 0; a < space.lattice().angles(); ++a) {
-    const auto bins = space.bins_of(a, robot);
-    const Reaches reaches = reaches_of(space, bins, limits_of(space, a, config_, robot));
-    if (reaches.is_empty()) continue;
-    planes.push({bound_by_sums(space.sums_by_d(a), bins.d, reaches.d12, reaches.d34) +
-                     bound_by_sums(space.sums_by_p(a), bins.p, reaches.d41, reaches.d23),
-                 a, kNever, reaches});
-  }
-  int highest = last_ ? best.score : kNever;  // bound from corners
-  while (!planes.empty()) {
-    const Plane plane = planes.top();
-    planes.pop();
-    if (!best.may_lose_to(plane.bound, {plane.angle, 0, 0, 0, 0})) {
-      if (plane.bound < best.score) return;
-      continue;
-    }
-    if (!best.has_budget()) {
-      best.gap_bound = std::max(best.gap_bound, plane.bound);
-      return;
-    }
-    const auto bins = space.bins_of(plane.angle, robot);
-    const PlaneLimits limits = limits_of(space, plane.angle, config_, robot);
-    if (plane.bounded_at == best.score) {
-      look_into(space, plane.angle, bins, plane.reaches, limits, best);
-      continue;
-    }
-    const int score = best.score;
-    bounds_.build(space, plane.angle, bins, plane.reaches, score);
-    best.expansions += 1 + bounds_.bins() / 512 + static_cast<int>(space.wall_votes().size() / 64);
-    if (!best.may_lose_to(bounds_.bound(), {plane.angle, 0, 0, 0, 0})) continue;
-    if (bounds_.bound() > highest) look_into(space, plane.angle, bins, bounds_.best_reaches(), limits, best);
-    highest = std::max(highest, bounds_.bound());
-    planes.push({bounds_.bound(), plane.angle, score, bounds_.reaches()});
   }
 }
 

@@ -6,8 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "components/roomDetector/core/corner_bounds.hpp"
-#include "components/roomDetector/core/corner_plane.hpp"
+#include "components/roomDetector/core/around_search.hpp"
 #include "components/roomDetector/core/hough_plane.hpp"
 #include "components/roomDetector/core/hough_space.hpp"
 
@@ -58,10 +57,7 @@ class RectangleSearch {
                                      bool& is_proven);
   void search_each_plane(const HoughSpace& space, const std::optional<Point2>& robot, Incumbent& best) const;
   void search_anywhere(const HoughSpace& space, Incumbent& best);
-  void search_around(const HoughSpace& space, const Point2& robot, Incumbent& best);
   void begin_with_last(const HoughSpace& space, const std::optional<Point2>& robot, Incumbent& best) const;
-  void look_into(const HoughSpace& space, int angle, const HoughSpace::Bins& robot, const Reaches& reaches,
-                 const PlaneLimits& limits, Incumbent& best);
 
   /// What an answer depends on.
   struct Question {
@@ -79,8 +75,7 @@ class RectangleSearch {
   std::optional<Question> question_;  // of answer_, where that is proven
   std::optional<SearchResult> answer_;
   HoughPlane plane_;  // these are kept for their memory
-  CornerBounds bounds_;
-  CornerPlane corners_;
+  AroundSearch around_;
 };
 
 }  // namespace enfilade::room_detector
