@@ -18,6 +18,14 @@ Point2 origin_near(const std::optional<Pose2>& T_zone_base) {
   return {std::round(T_zone_base->x_m), std::round(T_zone_base->y_m)};
 }
 
+constexpr double kFarthest_m = 1e4;  // from the zone's origin; a pose beyond that is none
+
+std::optional<Pose2> usable(const std::optional<Pose2>& T_zone_base) {
+  if (!T_zone_base || !std::isfinite(T_zone_base->yaw_rad)) return std::nullopt;
+  const bool is_near = std::abs(T_zone_base->x_m) < kFarthest_m && std::abs(T_zone_base->y_m) < kFarthest_m;
+  return is_near ? T_zone_base : std::nullopt;  // NaN compares false
+}
+
 constexpr double kLeastWall_m =
     0.3;  // of net evidence, that a room ends there; the corner of another wall is less
 
@@ -58,7 +66,8 @@ void RoomDetector::update(const GridChange& change) { map_.apply(change.cells); 
 
 void RoomDetector::add_hits(const ScanHits& hits) { stands_.add(hits, map_.resolution_m()); }
 
-Detection RoomDetector::estimate(const std::optional<Pose2>& T_zone_base) {
+Detection RoomDetector::estimate(const std::optional<Pose2>& T_zone_robot) {
+  const std::optional<Pose2> T_zone_base = usable(T_zone_robot);
   Detection d;
   const WallBand band = choose_wall_band(map_, config_.band);
   const auto robot = T_zone_base ? std::optional(T_zone_base->translation()) : std::nullopt;

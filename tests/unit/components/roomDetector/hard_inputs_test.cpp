@@ -55,6 +55,27 @@ TEST(HardInputs, ReturnsFromNowhereChangeNothing) {
   EXPECT_TRUE(std::isfinite(d.estimate.rectangle.width_m));
 }
 
+TEST(HardInputs, ARobotThatIsNowhereIsARobotOfWhichNothingIsKnown) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const Pose2& nowhere : {Pose2{nan, 0, 0}, Pose2{0, nan, 0}, Pose2{0, 0, nan}, Pose2{1e300, 0, 0}}) {
+    RoomDetector detector = detector_in_a_room();
+    expect_the_room(detector.estimate(nowhere));
+  }
+}
+
+TEST(HardInputs, ABlockWithoutAnythingFreeInItIsAnswered) {
+  RoomDetector detector({});
+  detector.clear(0.05);
+  GridChange block{.sequence = 1, .resolution_m = 0.05};
+  for (std::int16_t x = -40; x < 40; ++x)
+    for (std::int16_t y = -40; y < 40; ++y)
+      for (std::int16_t z = 0; z < 52; ++z) block.cells.push_back({x, y, z, CellState::kOccupied});
+  detector.update(block);
+  const Detection d = detector.estimate(Pose2{});
+  EXPECT_LT(d.estimate.rectangle.area_m2(), 4.2 * 4.2) << "none, or one no larger than the block";
+  EXPECT_TRUE(std::isfinite(d.estimate.score));
+}
+
 TEST(HardInputs, OneWallAloneIsNoRoom) {
   RoomDetector detector({});
   detector.clear(0.05);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "components/roomDetector/core/room_detector.hpp"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "tests/unit/components/roomDetector/sim_room.hpp"
@@ -180,6 +182,50 @@ TEST(RoomDetector, FindsTheWallBehindCupboardsUpToTheCeiling) {
   const auto d = detect(room, 2);
   ASSERT_TRUE(d.estimate.found);
   EXPECT_GT(iou(d.estimate.rectangle, room.rectangle()), 0.97);
+}
+
+/// How many doors are open after one more sweep from the middle of the room.
+std::ptrdiff_t open_doors_after(RoomDetector& detector, test::SimGrid& grid, const test::SimRoom& room) {
+  const Pose2 T_zone_base{0.0, 0.0, 0.2};
+  for (const ScanHits& line : grid.sweep(room, T_zone_base, {})) detector.add_hits(line);
+  detector.update(grid.changes());
+  const auto doors = detector.estimate(T_zone_base).estimate.doors;
+  return std::count_if(doors.begin(), doors.end(),
+                       [](const DoorEstimate& door) { return door.state == DoorState::kOpen; });
+}
+
+TEST(RoomDetector, FollowsADoorThatIsOpenedAndClosed) {
+  const auto next_door = [](test::RoomBuilder builder) {  // something must be seen through it
+    return builder.box(4.0, -3.0, 4.2, 3.0, 2.6).build();
+  };
+  const auto closed = next_door(test::RoomBuilder(4.0, 3.4, 2.6));
+  const auto open = next_door(test::RoomBuilder(4.0, 3.4, 2.6).door(0, 1.3, 2.2));
+  RoomDetector detector({});
+  test::SimGrid grid(0.05);
+  detector.clear(0.05);
+  EXPECT_EQ(open_doors_after(detector, grid, closed), 0);
+  std::ptrdiff_t seen = 0;
+  for (int sweep = 0; sweep < 4 && seen == 0; ++sweep) seen = open_doors_after(detector, grid, open);
+  EXPECT_EQ(seen, 1);
+  for (int sweep = 0; sweep < 4 && seen > 0; ++sweep) seen = open_doors_after(detector, grid, closed);
+  EXPECT_EQ(seen, 0);
+}
+
+TEST(RoomDetector, IsNotMisledByAPersonWhoWalksThroughTheScan) {
+  RoomDetector detector({});
+  test::SimGrid grid(0.05);
+  detector.clear(0.05);
+  const test::SimRoom room = paper_room();
+  const Pose2 T_zone_base{0.1, -0.2, 0.4};
+  for (const double x : {-1.6, -1.0, 1.0}) {
+    test::SimRoom with_person = room;
+    with_person.boxes.push_back({{x, 0.5, 0.0}, {x + 0.45, 0.95, 1.8}});
+    for (const ScanHits& line : grid.sweep(with_person, T_zone_base, kCoarse)) detector.add_hits(line);
+  }
+  detector.update(grid.changes());
+  const auto d = detector.estimate(T_zone_base);
+  ASSERT_TRUE(d.estimate.found);
+  expect_same(d.estimate.rectangle, room.rectangle(), 0.005);
 }
 
 TEST(RoomDetector, FindsNoRoomInACorridorWithoutEnds) {
