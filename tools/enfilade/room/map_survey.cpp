@@ -46,6 +46,24 @@ CellState state_of(std::uint8_t pixel, const MapFrame& frame) {
   return p < frame.free_below ? CellState::kFree : CellState::kUnexplored;
 }
 
+constexpr std::uint8_t kFloor = 230;             // and lighter, in a drawn plan
+constexpr std::uint8_t kMapServerUnknown = 205;  // what map_server paints where nothing was seen
+
+/// A drawn plan: white is floor, and where it ends stands something, whatever its grey or how its edge was
+/// smoothed; only the grey of map_server's unknown says nothing.
+CellState state_in_plan(const simulator::GreyImage& image, int row, int column, const MapFrame& frame) {
+  const auto at = [&](int r, int c) { return image.pixels[static_cast<std::size_t>(r) * image.columns + c]; };
+  const auto is_floor = [&](int r, int c) {
+    return r >= 0 && c >= 0 && r < image.rows && c < image.columns && at(r, c) >= kFloor;
+  };
+  if (is_floor(row, column)) return CellState::kFree;
+  if (at(row, column) == kMapServerUnknown) return CellState::kUnexplored;
+  const bool is_edge = is_floor(row - 1, column) || is_floor(row + 1, column) || is_floor(row, column - 1) ||
+                       is_floor(row, column + 1);
+  return is_edge || state_of(at(row, column), frame) == CellState::kOccupied ? CellState::kOccupied
+                                                                             : CellState::kUnexplored;
+}
+
 void check(const MapFrame& frame, const simulator::GreyImage& image, const std::string& file) {
   constexpr int kMost = std::numeric_limits<std::int16_t>::max();
   if (!(frame.resolution_m >= 0.01 && frame.resolution_m <= 1.0))
@@ -71,7 +89,7 @@ Survey survey_of_map(const std::string& file, const SurveyConfig& config) {
   for (int row = 0; row < image.rows; ++row) {
     for (int column = 0; column < image.columns; ++column) {
       const auto pixel = image.pixels[static_cast<std::size_t>(row) * image.columns + column];
-      const CellState state = state_of(pixel, frame);
+      const CellState state = has_frame ? state_of(pixel, frame) : state_in_plan(image, row, column, frame);
       if (state == CellState::kUnexplored) continue;
       survey.cells.push_back(grid_builder::to_grid_cell({column, image.rows - 1 - row, layer}, state));
     }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <sstream>
 #include <stdexcept>
 #include <tuple>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <octomap/OcTree.h>
@@ -74,6 +77,31 @@ TEST(LogSurvey, IsOneLayerAndStandsWhereTheRobotEnded) {
   for (const GridCell& c : survey.cells) EXPECT_EQ(c.z, planar_layer(0.05));
   EXPECT_EQ(by_place(survey).at({40, 0, 12}), CellState::kOccupied);
   EXPECT_EQ(by_place(survey).at({20, 0, 12}), CellState::kFree);
+}
+
+/// Of rows given from the top.
+Survey survey_of_pixels(const std::vector<std::string>& rows) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "drawn.pgm";
+  std::ofstream out(file, std::ios::binary);
+  out << "P5\n" << rows.front().size() << " " << rows.size() << "\n255\n";
+  for (const std::string& row : rows) out << row;
+  out.close();
+  return read_survey(file.string(), {});
+}
+
+TEST(MapSurvey, FloorOfADrawnPlanEndsInAWallWhateverItsGrey) {
+  const std::string row = "\xFF\xFF\xB4\x78\x78\x50\xF0";
+  const Cells cells = by_place(survey_of_pixels({row}));
+  EXPECT_EQ(cells.at({1, 0, 12}), CellState::kFree);
+  EXPECT_EQ(cells.at({2, 0, 12}), CellState::kOccupied) << "its edge is smoothed";
+  EXPECT_FALSE(cells.contains({3, 0, 12})) << "grey within a wall says nothing";
+  EXPECT_EQ(cells.at({5, 0, 12}), CellState::kOccupied);
+  EXPECT_EQ(cells.at({6, 0, 12}), CellState::kFree) << "not quite white, but floor";
+}
+
+TEST(MapSurvey, WhatMapServerLeavesUnknownIsNoWall) {
+  const Cells cells = by_place(survey_of_pixels({"\xFE\xFE\xCD\xCD\xFE"}));
+  EXPECT_EQ(cells.size(), 3u);
 }
 
 /// Two squares of free cells with walls around them and between them.
