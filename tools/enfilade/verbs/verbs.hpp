@@ -31,6 +31,7 @@ void add_closed_or_open(CLI::App& command, bool& closed);
 Verb add_evaluate(CLI::App& app);
 Verb add_evaluate_perception(CLI::App& group);
 Verb add_evaluate_graph(CLI::App& group);
+Verb add_evaluate_maps(CLI::App& group);
 Verb add_evaluate_exploration(CLI::App& group);
 Verb add_evaluate_latency(CLI::App& group);
 /// `enfilade calibrate range`: what the laser measures too much.
