@@ -74,6 +74,7 @@ void add_sizes(Figures& figures, const Answers& answers) {
   figures.size_error_median_m = quantile(errors, 0.5);
   figures.size_error_p95_m = quantile(errors, 0.95);
   figures.nees_mean = share(nees_sum, nees_count);
+  if (nees_count > 0.0) figures.nees_rooms = nees_count;
 }
 
 void add_doors(Figures& figures, const Answers& answers) {
@@ -112,6 +113,7 @@ class Experiment {
     add_sizes(report.paper, turned.paper);
     add_sizes(report.evidence, turned.evidence);
     report.evidence.nees_mean.reset();
+    report.evidence.nees_rooms.reset();
     report.hard_cases.push_back(
         {"odometry 1 deg / 20 mm", rooms, figures_of(turned.paper), figures_of(turned.evidence)});
   }
@@ -141,6 +143,7 @@ class Experiment {
     Figures figures;
     add_sizes(figures, biased.evidence);
     report.evidence.nees_mean = figures.nees_mean;
+    report.evidence.nees_rooms = figures.nees_rooms;
   }
 
   void hard(PerceptionReport& report, const std::string& name,

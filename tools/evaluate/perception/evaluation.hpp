@@ -14,7 +14,7 @@ struct Figures {
   std::optional<double> iou90_after_1, iou90_after_2, iou90_after_4, iou90_collinear;
   std::optional<double> size_error_median_m, size_error_p95_m;
   std::optional<double> door_precision, door_recall, door_edge_error_median_m;
-  std::optional<double> nees_mean;
+  std::optional<double> nees_mean, nees_rooms;
 };
 
 /// The same rooms, made harder in one way.

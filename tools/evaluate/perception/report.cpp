@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -21,7 +23,8 @@ Json figures_json(const Figures& f) {
           {"door_precision", or_null(f.door_precision)},
           {"door_recall", or_null(f.door_recall)},
           {"door_edge_error_median_m", or_null(f.door_edge_error_median_m)},
-          {"nees_mean", or_null(f.nees_mean)}};
+          {"nees_mean", or_null(f.nees_mean)},
+          {"nees_rooms", or_null(f.nees_rooms)}};
 }
 
 enum class Unit { kPercent, kMillimetres, kPlain };
@@ -36,7 +39,7 @@ std::string cell(const std::optional<double>& value, Unit unit) {
     case Unit::kPlain:
       break;
   }
-  return fmt::format("{:.1f}", *value);
+  return fmt::format("{:.2f}", *value);
 }
 
 struct Row {
@@ -93,6 +96,14 @@ std::vector<std::vector<std::string>> hard_table(const PerceptionReport& report)
   return table;
 }
 
+/// Where the mean of χ² of five degrees of freedom over so many rooms lies in 95 of 100 cases.
+std::string bounds_of_nees(const Figures& f) {
+  if (!f.nees_rooms) return "";
+  const double half = 1.96 * std::sqrt(2.0 * 5.0 / *f.nees_rooms);
+  return fmt::format("NEES over {:.0f} rooms is consistent within {:.2f} ... {:.2f} (95 %).\n", *f.nees_rooms,
+                     5.0 - half, 5.0 + half);
+}
+
 std::string in_columns(const std::vector<std::vector<std::string>>& table) {
   std::vector<std::size_t> widths(table.front().size(), 0);
   for (const auto& row : table)
@@ -136,7 +147,8 @@ std::string to_json(const PerceptionReport& report) {
 }
 
 std::string to_table(const PerceptionReport& report) {
-  return in_columns(main_table(report)) + "\n" + in_columns(hard_table(report)) +
+  return in_columns(main_table(report)) + bounds_of_nees(report.evidence) + "\n" +
+         in_columns(hard_table(report)) +
          fmt::format("\n{} rooms, seed {}, {:.0f} s\n", report.config.rooms, report.config.seed,
                      report.wall_time_s);
 }
@@ -162,8 +174,8 @@ std::string to_markdown(const PerceptionReport& report, const std::string& date)
       "over doors of which 60 % could be seen; a door is right where it overlaps a true one by IoU > "
       "0.4.\n\n",
       c.turn_sigma_deg, 1000.0 * c.turn_sigma_m);
-  out += as_markdown(main_table(report)) + "\n## Harder, one thing at a time (rooms in brackets)\n\n" +
-         as_markdown(hard_table(report));
+  out += as_markdown(main_table(report)) + "\n" + bounds_of_nees(report.evidence) +
+         "\n## Harder, one thing at a time (rooms in brackets)\n\n" + as_markdown(hard_table(report));
   return out;
 }
 
