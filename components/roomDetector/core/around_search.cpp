@@ -8,6 +8,8 @@
 namespace enfilade::room_detector {
 namespace {
 
+constexpr int kFewVotes = 120;  // that spelling planes out is no more work than bounding them
+
 struct LineSums {
   int bound = 0;  ///< of two parallel walls
   int most = 0;   ///< of any line
@@ -77,6 +79,8 @@ std::vector<AroundSearch::Plane> AroundSearch::bound_by_sums() {
   const double charges_bins = space_->free_map().farthest_m(robot_) / space_->lattice().step_m();
   const int needed = 2 + std::max(votes_.farthest_bins(), static_cast<int>(charges_bins));
   if (toll > 0) farthest_ = std::min(farthest_, std::max(sides_.min_gap, needed));
+  only_votes_count_ = toll == 0 && !space_->free_map().charges() && !votes_.speak_against();
+  are_few_ = only_votes_count_ && votes_.size() < kFewVotes;
   return planes;
 }
 
@@ -96,7 +100,7 @@ std::optional<AroundSearch::Plane> AroundSearch::advance(const Plane& plane, Inc
 std::optional<AroundSearch::Plane> AroundSearch::bound_by_blocks(const Plane& plane, Incumbent& best) {
   const Reaches r = reaches(plane.angle);
   CornerChoice& choice = choices_[static_cast<std::size_t>(plane.angle)];
-  if (!votes_.fit_strips()) {
+  if (!votes_.fit_strips() || are_few_) {
     choice = CornerBounds::everything(r, config_.near_bins);
     return Plane{plane.bound, plane.angle, plane.walls, Plane::kUnbounded, best.score};
   }
@@ -126,10 +130,16 @@ std::optional<AroundSearch::Plane> AroundSearch::bound_by_details(const Plane& p
 }
 
 void AroundSearch::spell_out(int angle, const CornerChoice& choice, Incumbent& best) {
-  plane_.build(*space_, votes_, angle, robot_bins(angle), choice.cut(CornerBounds::kBlock));
+  plane_.build(*space_, votes_, angle, robot_bins(angle), lines_of(angle, choice));
   best.expansions += plane_.work();
   ++best.planes_opened;
   plane_.search(limits(angle), best);
+}
+
+CornerChoice AroundSearch::lines_of(int angle, const CornerChoice& choice) {
+  if (!only_votes_count_) return choice.cut(CornerBounds::kBlock);
+  telling_.find(votes_, space_->binning(angle), robot_bins(angle), reaches(angle), sides_);
+  return choice.cut(CornerBounds::kBlock, [&](int side, int away) { return telling_.hold(side, away); });
 }
 
 PlaneLimits AroundSearch::limits(int angle) const {

@@ -8,6 +8,7 @@
 #include "components/roomDetector/core/corner_plane.hpp"
 #include "components/roomDetector/core/near_votes.hpp"
 #include "components/roomDetector/core/plane_search.hpp"
+#include "components/roomDetector/core/telling_lines.hpp"
 
 namespace enfilade::room_detector {
 
@@ -49,6 +50,7 @@ class AroundSearch {
   std::optional<Plane> bound_by_details(const Plane& plane, Incumbent& best);
   void spell_out(int angle, const CornerChoice& choice, Incumbent& best);
   HoughSpace::Bins robot_bins(int angle) const { return space_->bins_of(angle, robot_); }
+  CornerChoice lines_of(int angle, const CornerChoice& choice);
   PlaneLimits limits(int angle) const;
   Reaches reaches(int angle) const;
 
@@ -58,10 +60,12 @@ class AroundSearch {
   WindowLimits sides_;
   int farthest_ = 0;      // no better rectangle has a line farther from the robot, in bins
   int highest_ = kNever;  // of the bounds by blocks
+  bool only_votes_count_ = false, are_few_ = false;
   Reaches laid_out_{};
   std::vector<CornerChoice> choices_;  // by angle: what matters of it
   NearVotes votes_;
   CornerBounds blocks_, details_;
+  TellingLines telling_;
   CornerPlane plane_;
 };
 

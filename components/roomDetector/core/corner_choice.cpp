@@ -29,15 +29,21 @@ int CornerChoice::last_partner(int side, int block, int half) const {
   return -1;
 }
 
-CornerChoice CornerChoice::cut(int size) const {
+CornerChoice CornerChoice::cut(int size, const std::function<bool(int, int)>& keep) const {
   CornerChoice parts;
   std::array<std::vector<int>, 4> whole;  // the block that each part is of
   for (int s = 0; s < 4; ++s) {
     for (int block = 0; block < count(s); ++block) {
       if (last_partner(s, block, 0) < 0 && last_partner(s, block, 1) < 0) continue;
       const LineBlock& all = blocks[s][static_cast<std::size_t>(block)];
-      for (int line = all.nearest; line <= all.farthest; line += size) {
-        parts.blocks[s].push_back({line, std::min(line + size - 1, all.farthest)});
+      for (int line = all.nearest; line <= all.farthest;) {
+        const int first = line;
+        while (line <= all.farthest && line < first + size && keep(s, line)) ++line;
+        if (line == first) {
+          ++line;
+          continue;
+        }
+        parts.blocks[s].push_back({first, line - 1});
         whole[s].push_back(block);
       }
     }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace enfilade::room_detector {
@@ -42,7 +43,11 @@ struct CornerChoice {
   }
   void clear();
   /// The same with blocks of at most `size` lines, without those that have no corner.
-  CornerChoice cut(int size) const;
+  CornerChoice cut(int size) const {
+    return cut(size, [](int, int) { return true; });
+  }
+  /// The same of the lines that keep(side, distance from the robot).
+  CornerChoice cut(int size, const std::function<bool(int, int)>& keep) const;
   /// The last block on the other axis that has a corner with this one, −1 where none has.
   int last_partner(int side, int block, int half) const;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "components/roomDetector/core/near_votes.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -37,6 +38,7 @@ void NearVotes::gather(const HoughSpace& space, const Point2& robot, int reach_b
   before_ring_.pop_back();  // votes too far away
   farthest_bins_ = static_cast<int>(farthest * kRing_bins) + 1;
   sort(votes, rings);
+  speak_against_ = std::ranges::any_of(interior_, [](int interior) { return interior != 0; });
 }
 
 /// Rounding up adds less than one unit for each vote, and each cell has one.

@@ -22,6 +22,8 @@ class NearVotes {
   /// Whether the scaled votes of any line add up to less than 2^15. So they do, unless bins hold hundreds of
   /// cells with many votes.
   bool fit_strips() const { return fit_strips_; }
+  /// Whether any of them speaks against an interior.
+  bool speak_against() const { return speak_against_; }
   /// How many come before the first that is farther than this from the robot's bin in every plane.
   int count_within(double bins) const;
   /// In no plane any vote is more bins away from the robot's, along either axis.
@@ -61,7 +63,7 @@ class NearVotes {
   std::vector<int> ring_of_;
   int farthest_bins_ = 0;
   int scale_bits_ = 0;
-  bool fit_strips_ = true;
+  bool fit_strips_ = true, speak_against_ = false;
 };
 
 }  // namespace enfilade::room_detector

@@ -80,6 +80,18 @@ TEST(AroundSearch, FindsTheArgmaxAmongMuchThatSpeaksAgainstIt) {
   }
 }
 
+TEST(AroundSearch, FindsTheFirstOfManyEqualRectanglesWhereOnlyVotesCount) {
+  AroundSearch search({CornerBounds::kBlock});
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    World world(seed);
+    world.penalties = {};
+    if (seed % 3 > 0) world.votes.resize(seed % 3 * 8 + seed % 7);  // else there are more than a few
+    if (seed % 5 == 0) world.config.side_min_m = world.config.side_max_m = 2.5;
+    for (Vote& vote : world.votes) vote.interior = 0;
+    expect_argmax(search, world, world.space(world.hough.step_m), seed);
+  }
+}
+
 TEST(AroundSearch, FindsTheArgmaxOfVotesThatDoNotFit16Bits) {
   AroundSearch search({CornerBounds::kBlock});
   for (unsigned seed = 0; seed < 30; ++seed) {
