@@ -37,7 +37,7 @@ class Survival(Finished):
     """A component dies once while room 1 is modelled and once on the way through the building."""
 
     def test_components_may_be_killed_and_the_rooms_are_the_same(self):
-        for component in sorted(set(COMPONENTS) - {"simulator", "motorControl"}):  # motorControl: its README, Known limits
+        for component in sorted(set(COMPONENTS) - {"simulator"}):
             with self.subTest(component=component):
                 kills = [argument for at_s in (30, 100) for argument in ("--kill", f"{component}@{at_s}")]
                 report = json.loads(explore(PAPER_WORLD, "--seed", 2, *kills))

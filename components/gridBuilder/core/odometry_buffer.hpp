@@ -34,6 +34,10 @@ class OdometryBuffer {
 
   /// Whether a sample at or after `stamp_ns` has come, so that waiting is over.
   bool reaches(StampNs stamp_ns) const { return !samples_.empty() && samples_.back().stamp_ns >= stamp_ns; }
+  /// Whether nothing was heard for too long before a sample of this stamp.
+  bool is_after_gap(StampNs stamp_ns) const {
+    return !samples_.empty() && seconds(stamp_ns - samples_.back().stamp_ns) > config_.max_gap_s;
+  }
   /// Nothing where the stamp lies outside what is remembered, or in a gap.
   std::optional<BaseMoment> find_moment(StampNs stamp_ns) const;
 

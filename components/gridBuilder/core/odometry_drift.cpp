@@ -92,7 +92,7 @@ void OdometryDrift::begin_here() {
 }
 
 void OdometryDrift::forget_odometry() {
-  T_zone_odom_ = Pose2{};
+  T_zone_odom_ = T_zone_base();
   last_.reset();
   begin_here();
 }

@@ -44,7 +44,7 @@ class OdometryDrift {
   /// Nothing is known of this place but odometry: a room that is modelled from here hangs on it.
   void begin_here();
 
-  /// Odometry counts from another origin; the wheels are the same.
+  /// Odometry counts from where the robot stands; the wheels are the same.
   void forget_odometry();
   /// The drift is known from elsewhere.
   void start_from(const Pose2& T_zone_odom) { T_zone_odom_ = T_zone_odom; }

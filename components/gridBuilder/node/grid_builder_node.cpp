@@ -52,11 +52,7 @@ void GridBuilderNode::initialize() {
   bus.subscribe<CurrentZone>(topics::kCurrentZone, [this](const CurrentZone& z) { take_zone(z); });
   bus.subscribe<RoomEstimate>(topics::kRoomEstimate, [this](const RoomEstimate& r) { room_ = r; });
   bus.subscribe<MotorState>(topics::kMotorState, [this](const MotorState& s) { take_motor_state(s); });
-  bus.subscribe<Odometry>(topics::kOdom, [this](const Odometry& o) {
-    odometry_.add(o);
-    registrar_.move(to_pose2(o.T_odom_base));
-    work_off_lines();
-  });
+  bus.subscribe<Odometry>(topics::kOdom, [this](const Odometry& o) { take_odometry(o); });
   bus.subscribe<PointCloud>(topics::kPoints, [this](const PointCloud& p) {
     lines_.add_hits(p);
     work_off_lines();
@@ -109,9 +105,20 @@ void GridBuilderNode::take_zone(const CurrentZone& zone) {
   if (gate_.take(zone)) start_grid();
 }
 
+/// After a silence odometry may count from another origin: only the motors tell.
+void GridBuilderNode::take_odometry(const Odometry& odometry) {
+  if (odometry_.is_after_gap(odometry.stamp_ns)) unsure_since_ns_ = odometry.stamp_ns;
+  odometry_.add(odometry);
+  if (unsure_since_ns_) return;
+  registrar_.move(to_pose2(odometry.T_odom_base));
+  work_off_lines();
+}
+
 void GridBuilderNode::take_motor_state(const MotorState& state) {
+  if (unsure_since_ns_ && state.stamp_ns >= *unsure_since_ns_) unsure_since_ns_.reset();
   if (odom_boot_ && *odom_boot_ != state.odom_boot) {
-    // Poses of another boot count from another origin.
+    // Poses of another boot count from where the robot stood when the one before ended.
+    unsure_since_ns_.reset();
     odometry_.clear();
     lines_.clear();
     registrar_.forget_odometry();

@@ -31,6 +31,7 @@ class GridBuilderNode : public Node {
 
   void take_tf(const TransformList& transforms);
   void take_tf_static(const TransformList& transforms);
+  void take_odometry(const Odometry& odometry);
   void start_from(const Pose2& T_zone_odom);
   void take_zone(const CurrentZone& zone);
   void take_motor_state(const MotorState& state);
@@ -59,6 +60,7 @@ class GridBuilderNode : public Node {
   int waited_for_drift_ = 0;  ///< periods in which the zone was known and the drift of odometry was not
   bool drift_known_ = false;  ///< else lines wait
   std::optional<std::uint32_t> odom_boot_;  ///< as last told by the motors
+  std::optional<StampNs> unsure_since_ns_;  ///< odometry from here on may be of the next boot
   StampNs newest_line_ns_ = 0;
   bool line_came_ = false;  ///< since the last compute()
   std::size_t overflow_told_ = 0;

@@ -60,9 +60,15 @@ void RoomDetector::clear(double resolution_m) {
   map_.clear(resolution_m);
   votes_.clear();
   stands_.clear();
+  returns_missed_ = false;
 }
 
 void RoomDetector::update(const GridChange& change) { map_.apply(change.cells); }
+
+void RoomDetector::adopt(const GridChange& snapshot) {
+  returns_missed_ = !snapshot.cells.empty();
+  update(snapshot);
+}
 
 void RoomDetector::add_hits(const ScanHits& hits) { stands_.add(hits, map_.resolution_m()); }
 
@@ -143,9 +149,10 @@ std::vector<WallPoint> RoomDetector::door_hits(const Detection& d) const {
 }
 
 /// Of what lies outside the room, since nothing else was seen through a gap; and one more, which tells that
-/// somebody has looked.
+/// somebody has looked. None where it is not known what was seen through a gap.
 std::vector<Sighting> RoomDetector::sightings(const Detection& d) const {
   std::vector<Sighting> seen;
+  if (returns_missed_) return seen;
   const Rectangle& room = d.estimate.rectangle;
   const PointMover into_room(room.pose().inverse());
   const auto is_outside = [&](const Point2& p) {

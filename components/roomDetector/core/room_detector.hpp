@@ -58,6 +58,8 @@ class RoomDetector {
   /// Forgets everything: a new grid begins.
   void clear(double resolution_m);
   void update(const GridChange& change);
+  /// A grid that has grown before: of its cells nobody tells the returns.
+  void adopt(const GridChange& snapshot);
   void add_hits(const ScanHits& hits);
   /// The room model of this moment. `robot` is where the robot stands in the zone frame, if that is known.
   /// The caller fills in tag, sequence and stamps.
@@ -84,6 +86,7 @@ class RoomDetector {
   DoorFinder door_finder_;
   JointFitter joint_fitter_;
   Stands stands_;
+  bool returns_missed_ = false;  ///< some of this grid's were never told
 };
 
 }  // namespace enfilade::room_detector

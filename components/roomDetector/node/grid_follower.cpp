@@ -38,7 +38,8 @@ void GridFollower::take_snapshot(const GridChange& snapshot) {
   if (follows_stream || !has_resolution(snapshot)) return;
   if (tag_ && !(*tag_ == snapshot.tag)) return handlers_.ask_for_snapshot();  // of a grid that is no more
   begin(snapshot);
-  apply(snapshot);
+  sequence_ = snapshot.sequence;
+  handlers_.adopt(snapshot);
   is_waiting_ = false;
   for (const GridChange& change : std::exchange(held_back_, {})) take_change(change);
 }

@@ -17,7 +17,8 @@ class GridFollower {
  public:
   struct Handlers {
     std::function<void(const GridChange&)> start;  ///< an empty grid with this tag and resolution begins
-    std::function<void(const GridChange&)> apply;  ///< the next change, or a snapshot after start
+    std::function<void(const GridChange&)> apply;  ///< the next change
+    std::function<void(const GridChange&)> adopt;  ///< a snapshot after start
     std::function<void()> ask_for_snapshot;
   };
   /// Changes held back at most: ten seconds of scan lines. If more come, the snapshot is asked for anew.

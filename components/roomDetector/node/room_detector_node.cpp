@@ -10,7 +10,16 @@ RoomDetectorNode::RoomDetectorNode(const NodeContext& context, const RoomDetecto
     : context_(context),
       detector_(config.detector),
       grid_({.start = [this](const GridChange& change) { start_grid(change); },
-             .apply = [this](const GridChange& change) { apply(change); },
+             .apply =
+                 [this](const GridChange& change) {
+                   detector_.update(change);
+                   grid_changed(change);
+                 },
+             .adopt =
+                 [this](const GridChange& snapshot) {
+                   detector_.adopt(snapshot);
+                   grid_changed(snapshot);
+                 },
              .ask_for_snapshot = [this] { ask_for_snapshot(); }}),
       diagnostics_period_s_(config.diagnostics_period_s),
       every_line_(config.every_line) {}
@@ -73,8 +82,7 @@ void RoomDetectorNode::start_grid(const GridChange& change) {
   estimated_line_ns_.reset();
 }
 
-void RoomDetectorNode::apply(const GridChange& change) {
-  detector_.update(change);
+void RoomDetectorNode::grid_changed(const GridChange& change) {
   grid_stamp_ns_ = change.stamp_ns;
   has_news_ = true;
   line_came();

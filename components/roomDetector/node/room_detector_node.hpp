@@ -24,7 +24,7 @@ class RoomDetectorNode : public Node {
   void line_came();
   void estimate();
   void start_grid(const GridChange& change);
-  void apply(const GridChange& change);
+  void grid_changed(const GridChange& change);
   void take_hits(const ScanHits& hits);
   void ask_for_snapshot();
 

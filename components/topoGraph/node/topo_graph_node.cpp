@@ -138,9 +138,7 @@ void TopoGraphNode::look_at_estimate() {
 void TopoGraphNode::warn_of_lost_zone(const RoomEstimate& estimate) {
   if (lost_in_boot_ == estimate.tag.odom_boot) return;
   lost_in_boot_ = estimate.tag.odom_boot;
-  context_.log.warn(graph_.state().session.zone.room
-                        ? "odometry started anew; the room has not been found in it yet"
-                        : "odometry started anew before the room was in the map: its place is unsure");
+  context_.log.warn("odometry started anew; the room has not been found in it yet");
 }
 
 /// Writes what has changed since `before`. Where that fails the change is undone, and the reason returned.

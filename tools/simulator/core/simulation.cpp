@@ -13,7 +13,8 @@ Simulation::Simulation(const World& world, const SimulationConfig& config)
       body_(config.body, world),
       drive_(config.drive),
       roll_(config.roll),
-      laser_(config.laser, config.body) {
+      laser_(config.laser, config.body),
+      command_timeout_ns_(from_seconds(config.command_timeout_s)) {
   sensor_.T_world_base = world.truth.T_world_start;
   if (!body_.fits(sensor_.T_world_base.translation()))
     throw std::invalid_argument("the robot does not fit at the start pose of world '" + world.name +
@@ -23,11 +24,13 @@ Simulation::Simulation(const World& world, const SimulationConfig& config)
 void Simulation::actuate(const SimActuation& actuation) {
   drive_.command(actuation.left_wheel_rad_s, actuation.right_wheel_rad_s);
   roll_.command(actuation.roll_rad_s);
+  commanded_ns_ = sensor_.stamp_ns;
 }
 
 Simulation::Step Simulation::step() {
   const double dt_s = seconds(kStep_ns);
   const SensorState before = sensor_;
+  if (command_timeout_ns_ > 0 && before.stamp_ns - commanded_ns_ >= command_timeout_ns_) actuate({});
   traffic_.step(dt_s, before.T_world_base.translation());
   const DriveStep motion = drive_.step(dt_s, random_);
   roll_.step(dt_s);

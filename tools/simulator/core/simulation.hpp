@@ -19,6 +19,7 @@ struct SimulationConfig {
   DriveConfig drive;
   RollMotorConfig roll;
   RangeFinderConfig laser;
+  double command_timeout_s = 0.25;  ///< both motors stop when no command came for so long; 0 = they never do
 };
 
 /// The world and the robot in it. Time goes in steps of kStep_ns from 0; the same world, config and commands
@@ -54,6 +55,7 @@ class Simulation {
   RangeFinder laser_;
   SensorState sensor_;
   double path_length_m_ = 0.0;
+  StampNs command_timeout_ns_, commanded_ns_ = 0;
 };
 
 }  // namespace enfilade::simulator

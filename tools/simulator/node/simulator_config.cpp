@@ -58,6 +58,7 @@ void bind(ConfigBinder& c, SimulatorConfig& config) {
   c.text("world", config.world);
   c.integer("seed", config.seed, 0, 2147483647);
   c.number("speed", config.pacing.speed, 0.0, 1000.0);
+  c.number("command_timeout_s", config.simulation.command_timeout_s, 0.0, 60.0);
   c.number("ground_truth_hz", config.ground_truth_hz, 0.1, 200.0);
   group("body", config.simulation.body);
   group("drive", config.simulation.drive);

@@ -237,6 +237,31 @@ TEST_F(GridBuilderNodeTest, ClearsWhenTheOdometryBootsAgain) {
   EXPECT_TRUE(changes_->back().cells.empty());
 }
 
+TEST_F(GridBuilderNodeTest, GoesOnFromWhereTheRobotStoodWhenTheOdometryBootsAgain) {
+  const Pose2 stood{1.5, -0.5, 0.3};
+  GridBuilderConfig config;
+  config.registration.register_scans = true;
+  for (const bool odometry_comes_first : {false, true}) {
+    start(config);
+    auto& tf = harness_->collect(topics::kTf);
+    tell_zone(1);
+    tell_sweep(SweepPhase::kParked, 0.0);
+    for (int i = 0; i <= 20; ++i) tell_pose(0.1 * i, interpolate(Pose2{}, stood, 0.05 * i));
+    settle();
+    harness_->advance_s(3.0);  // the motors are dead
+    if (odometry_comes_first) tell_pose(5.0, {});
+    settle();
+    tell_sweep(SweepPhase::kParked, 0.0, 0.0, 8);
+    settle();
+    if (!odometry_comes_first) tell_pose(5.0, {});
+    tf.clear();
+    harness_->advance_s(0.3);
+    ASSERT_FALSE(tf.empty());
+    const Pose2 off = stood.inverse() * *find_zone_odom(tf.back());
+    EXPECT_NEAR(off.translation().norm() + std::abs(off.yaw_rad), 0.0, 1e-9);
+  }
+}
+
 TEST_F(GridBuilderNodeTest, JoinsTheTwoCloudsOfALineWhetherTheyWaitOrNot) {
   start_sweeping();
   see(2.0);

@@ -108,9 +108,11 @@ TEST(OdometryDrift, KnowsItsWheelsWhenOdometryCountsFromAnotherOrigin) {
   OdometryDrift drift({});
   Robot robot;
   learn(robot, drift);
+  const Pose2 stood = drift.T_zone_base();
   drift.forget_odometry();
-  EXPECT_EQ(drift.T_zone_odom(), Pose2{});
-  robot.T_odom_base = robot.T_zone_base = Pose2{};
+  EXPECT_EQ(drift.T_zone_odom(), stood) << "where the robot stands is no other place for that";
+  robot.T_odom_base = Pose2{};
+  robot.T_zone_base = stood;
   drift.move(robot.T_odom_base);
   robot.drive(1.6, 0.0, drift);
   EXPECT_LT(robot.miss_m(drift), 0.010);

@@ -12,7 +12,10 @@ TEST(OdomBoot, DiffersBetweenProcessesAndBetweenStarts) {
   EXPECT_EQ(odom_boot_of("4711", 1000), odom_boot_of("4711", 1000));
 }
 
-TEST(OdomBoot, IsOneInAComposedRun) { EXPECT_EQ(odom_boot_of("", 1000), 1u); }
+TEST(OdomBoot, DependsOnTheTimeAloneInAComposedRun) {
+  EXPECT_EQ(odom_boot_of("", 0), 1u);
+  EXPECT_EQ(odom_boot_of("", from_seconds(47.5)), 476u);
+}
 
 }  // namespace
 }  // namespace enfilade::motor_control

@@ -18,6 +18,7 @@ struct GridFollowerTest : ::testing::Test {
   int asked = 0;
   GridFollower follower{{.start = [](const GridChange&) {},
                          .apply = [this](const GridChange& c) { applied.push_back(c.sequence); },
+                         .adopt = [this](const GridChange& c) { applied.push_back(c.sequence); },
                          .ask_for_snapshot = [this] { ++asked; }}};
 };
 

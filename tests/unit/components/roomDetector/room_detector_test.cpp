@@ -211,6 +211,26 @@ TEST(RoomDetector, FollowsADoorThatIsOpenedAndClosed) {
   EXPECT_EQ(seen, 0);
 }
 
+TEST(RoomDetector, KeepsTheDoorsOfASnapshotWhenTheFirstLineComes) {
+  const auto room = test::RoomBuilder(4.0, 3.4, 2.6).door(0, 1.3, 2.2).box(4.0, -3.0, 4.2, 3.0, 2.6).build();
+  test::SimGrid grid(0.05);
+  RoomDetector all_along({}), restarted({});
+  const auto lines = grid.sweep(room, {0.1, -0.2, 0.4}, kCoarse);
+  for (RoomDetector* detector : {&all_along, &restarted}) detector->clear(0.05);
+  const GridChange cells = grid.changes();
+  all_along.update(cells);
+  for (const ScanHits& line : lines) all_along.add_hits(line);
+  restarted.adopt(cells);
+  restarted.add_hits(lines.front());
+  const auto open_doors = [](RoomDetector& detector) {
+    const auto doors = detector.estimate(Pose2{0.1, -0.2, 0.4}).estimate.doors;
+    return std::count_if(doors.begin(), doors.end(),
+                         [](const DoorEstimate& door) { return door.state == DoorState::kOpen; });
+  };
+  EXPECT_EQ(open_doors(all_along), 1);
+  EXPECT_EQ(open_doors(restarted), 1);
+}
+
 TEST(RoomDetector, IsNotMisledByAPersonWhoWalksThroughTheScan) {
   RoomDetector detector({});
   test::SimGrid grid(0.05);

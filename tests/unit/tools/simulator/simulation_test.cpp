@@ -61,6 +61,21 @@ TEST(Simulation, TheRollMotorFollowsItsCommandAndStopsAtItsEnd) {
   EXPECT_NEAR(simulation.encoders().roll_rad, 1.75, 1e-9);
 }
 
+TEST(Simulation, MotorsStopWhenTheirCommandsCease) {
+  SimulationConfig config = test::without_noise();
+  config.command_timeout_s = 0.25;
+  Simulation simulation(small_flat(), config);
+  for (int i = 0; i < 200; ++i) {
+    simulation.actuate({2.0, 2.0, 1.0});
+    simulation.step();
+  }
+  const double driven_m = simulation.ground_truth().path_length_m;
+  EXPECT_NEAR(driven_m, 0.16, 0.01);
+  for (int i = 0; i < 400; ++i) simulation.step();
+  EXPECT_NEAR(simulation.ground_truth().path_length_m, driven_m + 0.16 * 0.25, 0.01);
+  EXPECT_EQ(simulation.encoders().roll_rad_s, 0.0);
+}
+
 TEST(Simulation, TruthMeasuresTheWayDriven) {
   Simulation simulation(small_flat(), test::without_noise());
   simulation.actuate({2.0, 2.0, 0.0});

@@ -17,6 +17,7 @@ const std::string kEtc = enfilade::test::etc_folder();
 SimulatorConfig shipped_config() {
   SimulatorConfig config = load_config<SimulatorConfig>(kEtc + "simulator.yaml");
   config.world = resolve_world(config.world, kEtc + "simulator.yaml");
+  config.simulation.command_timeout_s = 0.0;
   return config;
 }
 

@@ -41,6 +41,7 @@ inline SimulationConfig without_noise() {
   config.drive.slip_m_per_sqrt_m = 0.0;
   config.drive.encoder_ticks_per_turn = 0;
   config.roll.steps_per_turn = 0;
+  config.command_timeout_s = 0.0;
   return config;
 }
 
