@@ -11,6 +11,7 @@ from pathlib import Path
 
 import networkx
 import yaml
+from osgeo import ogr
 from PIL import Image
 
 from map_verbs_test import MAP, square_of_rooms
@@ -148,6 +149,19 @@ class MapExports(Exports):
             self.assertEqual(door["geometry"]["type"], "LineString")
             self.assertGreaterEqual(len(door["geometry"]["coordinates"]), 2)
         self.assertEqual(len(features), 9)
+
+    def test_geojson_is_read_by_gdal(self):
+        ogr.UseExceptions()
+        file = ogr.Open(str(self.export("geojson")))
+        shapes = [(f["kind"], f["name"], f.geometry().Clone()) for f in file.GetLayer()]
+        rooms = {name: shape for kind, name, shape in shapes if kind == "room"}
+        doors = [shape for kind, _, shape in shapes if kind != "room"]
+        self.assertEqual(sorted(rooms), ["Küche <&>", "hall", "office", "room 3"])
+        self.assertEqual(len(doors), 5)
+        for name, room in rooms.items():
+            self.assertAlmostEqual(room.GetArea(), 16.0, msg=name)
+            self.assertTrue(any(door.Distance(room) < 1e-6 for door in doors), name)
+            self.assertFalse(any(door.Crosses(room) for door in doors), name)
 
     def test_graphml(self):
         run("map", "mark", self.map, 4, "closed")
