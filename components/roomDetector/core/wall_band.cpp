@@ -11,6 +11,7 @@ constexpr double kLowestCeiling_m = 1.8;
 constexpr double kCeilingToWallRatio = 3.0;
 constexpr double kLeastUpperToBodyRatio = 0.2;
 constexpr double kLeastUpperOutline_m = 1.5;
+constexpr double kLowestWall_m = 0.6;  // what ends below may be a step or a bench
 
 /// Mean number of occupied cells of the levels from ≤ l < to.
 double mean_occupied(const ColumnMap& map, int from, int to) {
@@ -25,6 +26,25 @@ bool holds_enough(const ColumnMap& map, const WallBand& upper, int body_from) {
   const double outline_cells = mean_occupied(map, upper.from, upper.to);
   return outline_cells * map.resolution_m() >= kLeastUpperOutline_m &&
          outline_cells >= kLeastUpperToBodyRatio * mean_occupied(map, body_from, upper.from);
+}
+
+/// Whether most levels of the band hold walls; a slab fills but one.
+bool holds_walls(const ColumnMap& map, const WallBand& band, int body_from) {
+  const double least = std::max(kLeastUpperOutline_m / map.resolution_m(),
+                                kLeastUpperToBodyRatio * mean_occupied(map, body_from, band.from));
+  const auto from = map.occupied_per_level().begin() + band.from;
+  return 2 * std::count_if(from, from + band.size(), [&](int cells) { return cells >= least; }) > band.size();
+}
+
+/// Where walls end below the upper band, as those of an arena do: the highest of the bands of `height` levels
+/// stacked under `to` in which they are seen.
+std::optional<WallBand> top_of_walls(const ColumnMap& map, int to, int height, int body_from) {
+  const int lowest = level_of(kLowestWall_m, map.resolution_m());
+  for (; to - height >= lowest; to -= height) {
+    const WallBand band{to - height, to, true};
+    if (holds_walls(map, band, body_from)) return band;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -57,7 +77,9 @@ WallBand choose_wall_band(const ColumnMap& map, const WallBandConfig& config) {
     case BandChoice::kAuto:
       break;
   }
-  return upper.size() > 0 && holds_enough(map, upper, all.from) ? upper : all;
+  if (upper.size() > 0 && holds_enough(map, upper, all.from)) return upper;
+  return top_of_walls(map, upper.from, level_of(config.wall_band_to_m, r) - upper.from, all.from)
+      .value_or(all);
 }
 
 }  // namespace enfilade::room_detector

@@ -11,7 +11,7 @@ enum class BandChoice { kAuto, kAll, kUpper };
 
 struct WallBandConfig {
   BandChoice band = BandChoice::kAuto;  ///< kAll: the paper's; kUpper: above furniture; kAuto: upper where it
-                                        ///< holds enough returns
+                                        ///< holds enough returns, or else the top of low walls
   double wall_band_from_m = 2.05;       ///< the upper band: above cupboards and door lintels …
   double wall_band_to_m = 2.5;          ///< … and below the ceiling
   double floor_margin_m = 0.15;         ///< cells lower than this are floor

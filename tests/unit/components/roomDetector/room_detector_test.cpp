@@ -96,11 +96,19 @@ TEST(RoomDetector, KeepsTheWallsOfASnapshotWhenTheFirstLineComes) {
   expect_same(after.estimate.rectangle, room.rectangle(), 0.05);
 }
 
-TEST(RoomDetector, FallsBackToAllHeightsBetweenLowWalls) {
+TEST(RoomDetector, LooksAtTheTopOfLowWalls) {
+  auto room = test::RoomBuilder(4.0, 3.0, 1.2).box(-2.0, -1.5, 2.0, -0.9, 0.6).build();
+  room.boxes.pop_back();  // the ceiling
+  const auto d = detect(room, 2);
+  ASSERT_TRUE(d.estimate.found);
+  EXPECT_TRUE(d.diagnostics.above_furniture);
+  expect_same(d.estimate.rectangle, room.rectangle(), 0.02);
+}
+
+TEST(RoomDetector, IsNotMisledByALowCeiling) {
   const auto room = test::RoomBuilder(4.0, 3.0, 1.2).build();
   const auto d = detect(room, 2);
   ASSERT_TRUE(d.estimate.found);
-  EXPECT_FALSE(d.diagnostics.above_furniture);
   expect_same(d.estimate.rectangle, room.rectangle(), 0.02);
 }
 
