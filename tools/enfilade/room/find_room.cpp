@@ -12,6 +12,18 @@ namespace enfilade::room {
 namespace {
 
 constexpr int kPlanarLayers = 5;  // that the one layer of a level sensor stands for
+
+// In one layer a cupboard cannot be told from a wall, and a room with the corridor behind its open door is
+// bounded like one room: there is no lintel. What tells these apart is that little of the outline of both was
+// seen, and that walls stand inside: strict weights hold that against them. Where they leave nothing, as in a
+// corridor or a room half hidden, laxer ones are tried, and last such as forgive many open doors.
+// Factors on the weights of the configuration.
+struct Strictness {
+  double toll, interior, free;
+};
+constexpr Strictness kPlanarStrictness[] = {
+    {6.0, 1.0, 1.0}, {4.0, 0.0, 1.0}, {1.0, 0.0, 1.0}, {1.0, 0.0, 0.5}};
+
 constexpr double kMargin_m = 1.5, kPoint_px = 5.0;
 constexpr double kPictureFrom_m = 0.15, kPictureTo_m = 2.2;  // heights shown
 
@@ -51,6 +63,31 @@ void thicken(std::vector<GridCell>& cells) {
   }
 }
 
+/// Those to be tried in turn until one finds a room.
+std::vector<room_detector::RoomDetectorConfig> suited_to(const Survey& survey,
+                                                         room_detector::RoomDetectorConfig config) {
+  config.hough.step_m = std::max(config.hough.step_m, survey.resolution_m);
+  if (!survey.is_planar) return {config};
+  config = planar(config, survey.resolution_m);
+  std::vector<room_detector::RoomDetectorConfig> configs;
+  for (const Strictness& strictness : kPlanarStrictness) {
+    auto& votes = configs.emplace_back(config).votes;
+    votes.toll_share *= strictness.toll;
+    votes.interior_share *= strictness.interior;
+    votes.free_weight *= strictness.free;
+  }
+  return configs;
+}
+
+RoomEstimate detect(const Survey& view, const Pose2& T_survey_robot,
+                    const room_detector::RoomDetectorConfig& config) {
+  room_detector::RoomDetector detector(config);
+  detector.clear(view.resolution_m);
+  detector.update({.resolution_m = view.resolution_m, .cells = view.cells});
+  if (!view.hits.empty()) detector.add_hits({.T_zone_base = T_survey_robot, .hits = view.hits});
+  return detector.estimate(T_survey_robot).estimate;
+}
+
 }  // namespace
 
 room_detector::RoomDetectorConfig planar(room_detector::RoomDetectorConfig config, double resolution_m) {
@@ -59,8 +96,6 @@ room_detector::RoomDetectorConfig planar(room_detector::RoomDetectorConfig confi
   config.band.band = room_detector::BandChoice::kUpper;
   config.band.wall_band_from_m = config.door_finder.band_from_m = from_m;
   config.band.wall_band_to_m = config.door_finder.band_to_m = to_m;
-  // A cupboard cannot be told from a wall at one height: what stands inside says nothing against a room.
-  config.votes.interior_share = 0.0;
   config.door_finder.sill_m = to_m;
   config.door_finder.beyond_floor_m = 0.0;
   return config;
@@ -70,18 +105,13 @@ FoundRoom find_room(const Survey& survey, const room_detector::RoomDetectorConfi
                     const std::optional<Point2>& at) {
   const Pose2 T_survey_robot =
       at ? survey.T_file_survey.inverse() * Pose2{at->x(), at->y(), 0.0} : survey.T_survey_stand;
-  room_detector::RoomDetectorConfig suited = survey.is_planar ? planar(config, survey.resolution_m) : config;
-  suited.hough.step_m = std::max(suited.hough.step_m, survey.resolution_m);
-  room_detector::RoomDetector detector(suited);
-  detector.clear(survey.resolution_m);
   Survey view = survey.is_fused ? seen_from(T_survey_robot.translation(), survey) : survey;
   if (view.is_planar) thicken(view.cells);
-  detector.update({.resolution_m = view.resolution_m, .cells = view.cells});
-  if (!view.hits.empty()) detector.add_hits({.T_zone_base = T_survey_robot, .hits = view.hits});
-  const room_detector::Detection detection = detector.estimate(T_survey_robot);
-  FoundRoom found{.estimate = detection.estimate,
-                  .T_file_robot = survey.T_file_survey * T_survey_robot,
-                  .points = standing_columns(survey)};
+  FoundRoom found{.T_file_robot = survey.T_file_survey * T_survey_robot, .points = standing_columns(survey)};
+  for (const room_detector::RoomDetectorConfig& suited : suited_to(survey, config)) {
+    found.estimate = detect(view, T_survey_robot, suited);
+    if (found.estimate.found) break;
+  }
   if (found.estimate.found) found.estimate = moved(survey.T_file_survey, found.estimate);
   return found;
 }

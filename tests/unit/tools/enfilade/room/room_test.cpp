@@ -11,25 +11,33 @@
 namespace enfilade::room {
 namespace {
 
-/// A plan of a 5 × 4 m room, inner size, with a 0.9 m door in its right wall, and a second room behind it.
-std::string write_plan() {
-  constexpr int kColumns = 200, kRows = 120;
+constexpr int kColumns = 200, kRows = 120;
+
+struct Box {
+  int x_from, x_to, y_from, y_to;  // pixels from the lower left corner
+};
+
+/// A map of 10 × 6 m, black with white boxes in the grey of the unknown.
+std::string write_map(const Box& black, std::initializer_list<Box> white) {
   std::string pixels(kColumns * kRows, '\xCD');
-  const auto draw = [&](int x_from, int x_to, int y_from, int y_to, char grey) {
-    for (int y = y_from; y < y_to; ++y)
-      for (int x = x_from; x < x_to; ++x)
+  const auto draw = [&](const Box& box, char grey) {
+    for (int y = box.y_from; y < box.y_to; ++y)
+      for (int x = box.x_from; x < box.x_to; ++x)
         pixels[static_cast<std::size_t>((kRows - 1 - y) * kColumns + x)] = grey;
   };
-  draw(18, 180, 18, 102, '\x00');
-  draw(20, 120, 20, 100, '\xFE');
-  draw(122, 178, 20, 100, '\xFE');
-  draw(120, 122, 50, 68, '\xFE');
+  draw(black, '\x00');
+  for (const Box& box : white) draw(box, '\xFE');
   const auto folder = std::filesystem::path(testing::TempDir());
   std::ofstream(folder / "plan.pgm", std::ios::binary) << "P5\n"
                                                        << kColumns << " " << kRows << "\n255\n"
                                                        << pixels;
   std::ofstream(folder / "plan.yaml") << "image: plan.pgm\nresolution: 0.05\norigin: [-10.0, -4.0, 0.0]\n";
   return (folder / "plan.yaml").string();
+}
+
+/// A 5 × 4 m room, inner size, with a 0.9 m door in its right wall, and a second room behind it.
+std::string write_plan() {
+  return write_map({18, 180, 18, 102}, {{20, 120, 20, 100}, {122, 178, 20, 100}, {120, 122, 50, 68}});
 }
 
 TEST(FindRoom, FindsTheRoomOfAPlanAndItsDoorInTheCoordinatesOfTheMap) {
@@ -47,6 +55,25 @@ TEST(FindRoom, FindsTheRoomOfAPlanAndItsDoorInTheCoordinatesOfTheMap) {
   EXPECT_NEAR(json["doors"][0]["x_m"].get<double>(), -4.0, 0.1);
   EXPECT_NEAR(json["doors"][0]["y_m"].get<double>(), -1.05, 0.1);
   EXPECT_NEAR(json["doors"][0]["width_m"].get<double>(), 0.9, 0.11);
+}
+
+TEST(FindRoom, TellsARoomFromTheCorridorBehindItsOpenDoorThoughThereIsNoLintel) {
+  const std::string map =
+      write_map({0, 200, 18, 120}, {{60, 120, 20, 80}, {80, 100, 80, 84}, {2, 198, 84, 104}});
+  const FoundRoom room = find_room(read_survey(map, {}), {}, Point2(-5.5, -1.5));
+  ASSERT_TRUE(room.estimate.found);
+  EXPECT_NEAR(room.estimate.rectangle.area_m2(), 9.0, 1.0);
+}
+
+TEST(FindRoom, SaysHowWideACorridorIsOfWhichOneEndWasSeen) {
+  const std::string map = write_map({0, 200, 18, 120}, {{2, 200, 20, 64}});
+  Survey survey = read_survey(map, {});
+  std::erase_if(survey.cells, [](const GridCell& c) {  // doorways and glass: a third of the walls is left
+    return c.x > 4 && c.x % 30 > 9 && c.state == CellState::kOccupied;
+  });
+  const FoundRoom room = find_room(survey, {}, Point2(-7.0, -2.0));
+  ASSERT_TRUE(room.estimate.found);
+  EXPECT_NEAR(room.estimate.rectangle.height_m, 2.2, 0.15);
 }
 
 TEST(FindRoom, AnswersWithNullsWhereThereIsNoRoom) {
