@@ -125,15 +125,15 @@ int run_replay_demo(const DemoOptions& options) {
                              end == SessionEnd::kInterrupted ? "interrupted" : "a component was lost", out);
     return 1;
   }
+  const std::string title = std::filesystem::path(options.input).filename();
+  const std::string picture = out + "/room1-scan1.svg";
+  report::write_file(picture, draw::draw_scan({title, replay.estimate, replay.hits, Pose2{}}));
   if (!replay.estimate.found) {
-    std::cerr << fmt::format("enfilade demo: no rectangle fits the {} points of {}\n", replay.points,
-                             options.input);
+    std::cerr << fmt::format("enfilade demo: no rectangle fits the {} points of {}; they are drawn in {}\n",
+                             replay.points, options.input, picture);
     return 1;
   }
-  const std::string title = std::filesystem::path(options.input).filename();
   report::write_file(out + "/report.json", room_json(replay.estimate));
-  report::write_file(out + "/room1-scan1.svg",
-                     draw::draw_scan({title, replay.estimate, replay.hits, Pose2{}}));
   print(replay.estimate);
   std::cout << fmt::format("  picture, report and logs are in {}\n", out);
   return 0;
