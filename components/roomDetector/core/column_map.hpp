@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <bitset>
 #include <cstddef>
 #include <cstdint>
@@ -28,6 +29,15 @@ inline double bottom_of(int level, double resolution_m) { return (level - kBelow
 /// Levels from ≤ l < to.
 Levels level_range(int from, int to);
 
+/// How many levels are set. A library without the instruction for it counts words without any just as slowly.
+inline int count_of(const Levels& levels) {
+  using Words = std::array<std::uint64_t, kLevels / 64>;
+  int count = 0;
+  for (const std::uint64_t word : std::bit_cast<Words>(levels))
+    if (word != 0) count += std::popcount(word);
+  return count;
+}
+
 /// All cells of the grid over one (x, y).
 struct Column {
   std::int16_t x = 0, y = 0;
@@ -49,6 +59,16 @@ class ColumnMap {
   /// The column under a point; null where nothing is known.
   const Column* find(const Point2& p) const;
   Point2 centre(const Column& column) const;
+  /// Calls visit(index) for a column and those of its eight neighbours that are known.
+  template <class Visit>
+  void for_each_around(const Column& column, Visit visit) const {
+    for (int x = column.x - 1; x <= column.x + 1; ++x) {
+      for (int y = column.y - 1; y <= column.y + 1; ++y) {
+        const std::int32_t i = index_.find(x, y);
+        if (i != ColumnIndex::kNone) visit(static_cast<std::size_t>(i));
+      }
+    }
+  }
   /// How many occupied cells each level holds.
   const std::array<int, kLevels>& occupied_per_level() const { return occupied_per_level_; }
   /// Indices of the columns changed since the last call, each once.

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "components/roomDetector/core/gap_runs.hpp"
+#include "components/roomDetector/core/point_mover.hpp"
 #include "components/roomDetector/core/wall_profile.hpp"
 
 namespace enfilade::room_detector {
@@ -25,7 +26,7 @@ struct Wall {
   std::vector<WallSlice> slices;
   Levels band;
   std::span<const WallPoint> returns;
-  std::span<const Sighting> sightings;
+  std::span<const Sightings> sightings;
   mutable std::optional<std::vector<HitByWall>> hits = {};  ///< of the returns, once they are asked for
 
   const std::vector<HitByWall>& hits_of(const JambFitConfig& jamb) const {
@@ -78,24 +79,31 @@ void count_beyond(const Wall& wall, const WallInterval& gap, const DoorFinderCon
     const double depth = q.dot(outwards), s = q.dot(along);
     if (depth < config.beyond_from_m || depth > config.beyond_to_m) continue;
     if (s < gap.from_m - depth || s > gap.to_m + depth) continue;
-    evidence.beyond_occupied_cells += static_cast<std::uint32_t>((column.occupied & heights).count());
-    evidence.beyond_free_cells += static_cast<std::uint32_t>((column.free & heights).count());
+    evidence.beyond_occupied_cells += static_cast<std::uint32_t>(count_of(column.occupied & heights));
+    evidence.beyond_free_cells += static_cast<std::uint32_t>(count_of(column.free & heights));
   }
 }
 
-/// Returns from behind the wall whose beams went through the gap.
-double returns_behind(const Wall& wall, const WallInterval& gap, const DoorFinderConfig& config) {
+/// Whether enough returns came from behind the wall whose beams went through the gap.
+bool is_seen_through(const Wall& wall, const WallInterval& gap, const DoorFinderConfig& config) {
   const Segment line = wall.rectangle.wall(wall.index);
   const Point2 along = line.direction(), outwards = wall.rectangle.normal(wall.index);
   double returns = 0.0;
-  for (const Sighting& s : wall.sightings) {
-    const double near = (s.from - line.from).dot(outwards), far = (s.at - line.from).dot(outwards);
-    if (near >= 0.0 || far < config.beyond_from_m) continue;
-    const Point2 through = s.from + near / (near - far) * (s.at - s.from);
-    const double at = (through - line.from).dot(along);
-    if (at > gap.from_m && at < gap.to_m) returns += s.weight;
+  for (const Sightings& s : wall.sightings) {
+    const double near = (s.from - line.from).dot(outwards);
+    if (near >= 0.0) continue;
+    const PointMover move(s.correction);
+    s.hits->visit_while([&](const Point2& seen, double count) {
+      const Point2 end = move(seen);
+      const double far = (end - line.from).dot(outwards);
+      if (far < config.beyond_from_m) return true;
+      const Point2 through = s.from + near / (near - far) * (end - s.from);
+      const double at = (through - line.from).dot(along);
+      if (at > gap.from_m && at < gap.to_m) returns += count;
+      return returns < config.min_returns_behind;
+    });
   }
-  return returns;
+  return returns >= config.min_returns_behind;
 }
 
 Levels foot_of(const Wall& wall, const DoorFinderConfig& config) {
@@ -130,7 +138,7 @@ Judgement judge_open(const Wall& wall, const GapDiagnostics& seen, const DoorFin
     return {GapVerdict::kPossible, "wider than a door: a wall may be missing"};
   if (seen.foot_free_share < 0.5 * config.min_free_share)
     return {GapVerdict::kPossible, "open, but its foot was not seen: there may be a sill"};
-  if (!wall.sightings.empty() && returns_behind(wall, seen.gap, config) < config.min_returns_behind)
+  if (!wall.sightings.empty() && !is_seen_through(wall, seen.gap, config))
     return {GapVerdict::kPossible, "nothing was seen through it: glass, or nothing in reach"};
   return {GapVerdict::kOpen, "free from the floor to the lintel"};
 }
@@ -218,7 +226,7 @@ void find_in(const Wall& wall, const DoorFinderConfig& config, WallGaps& gaps) {
 DoorFinder::DoorFinder(const DoorFinderConfig& config) : config_(config) {}
 
 WallGaps DoorFinder::find(const ColumnMap& map, const Rectangle& rectangle, std::span<const WallPoint> hits,
-                          std::span<const Sighting> sightings) const {
+                          std::span<const Sightings> sightings) const {
   const Levels band = level_range(level_of(config_.band_from_m, map.resolution_m()),
                                   level_of(config_.band_to_m, map.resolution_m()));
   WallGaps gaps;

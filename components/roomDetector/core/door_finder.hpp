@@ -26,10 +26,11 @@ struct DoorFinderConfig {
   JambFitConfig jamb;
 };
 
-/// A return of the laser and whence it was measured.
-struct Sighting {
-  Point2 from, at;
-  double weight = 1.0;
+/// Returns of the laser, of all heights, from one place of the robot.
+struct Sightings {
+  Point2 from;
+  const HitMap* hits;
+  Pose2 correction = {};  ///< where the hits are in the frame of the map
 };
 
 /// The gaps of all four walls, by wall and then by position, and how much of the walls was never observed.
@@ -46,9 +47,9 @@ class DoorFinder {
  public:
   explicit DoorFinder(const DoorFinderConfig& config);
   /// `hits`: returns at the heights of band_from_m … band_to_m, from which the ends of open gaps are fitted.
-  /// `sightings`: returns of all heights; without any, nothing is asked about what lies behind a gap.
+  /// `sightings`: without any, nothing is asked about what lies behind a gap.
   WallGaps find(const ColumnMap& map, const Rectangle& rectangle, std::span<const WallPoint> hits = {},
-                std::span<const Sighting> sightings = {}) const;
+                std::span<const Sightings> sightings = {}) const;
 
  private:
   DoorFinderConfig config_;

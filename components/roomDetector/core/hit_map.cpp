@@ -74,6 +74,7 @@ void HitMap::add(const Cell& more) {
   cell.z_m += more.z_m;
   cell.count += more.count;
   count_ += more.count;
+  add_to_column(more);
 }
 
 std::vector<WallPoint> HitMap::points(int from_level, int to_level) const {
@@ -91,25 +92,21 @@ bool HitMap::is_within(const Cell& cell, int from_level, int to_level) {
   return level >= from_level && level < to_level;
 }
 
-std::vector<HitMap::Sum> HitMap::columns(int from_level, int to_level) const {
-  struct Upright {
-    std::uint64_t key = 0;
-    Sum sum;
-  };
-  KeyedTable<Upright> upright;
-  for (const Cell& cell : cells_.entries()) {
-    if (!is_within(cell, from_level, to_level)) continue;
-    const Sum more = sum_of(cell);
-    Sum& sum = upright.at(cell.key >> kAxisBits).sum;
-    sum.x_m += more.x_m;
-    sum.y_m += more.y_m;
-    sum.z_m += more.z_m;
-    sum.count += more.count;
-  }
-  std::vector<Sum> sums;
-  sums.reserve(upright.entries().size());
-  for (const Upright& column : upright.entries()) sums.push_back(column.sum);
-  return sums;
+void HitMap::follow(const WallBand& band) {
+  if (band == followed_) return;
+  followed_ = band;
+  columns_ = {};
+  for (const Cell& cell : cells_.entries()) add_to_column(cell);
+}
+
+void HitMap::add_to_column(const Cell& more) {
+  if (!is_within(more, followed_.from, followed_.to)) return;
+  const Sum sum_of_more = sum_of(more);
+  Sum& sum = columns_.at(more.key >> kAxisBits).sum;
+  sum.x_m += sum_of_more.x_m;
+  sum.y_m += sum_of_more.y_m;
+  sum.z_m += sum_of_more.z_m;
+  sum.count += sum_of_more.count;
 }
 
 }  // namespace enfilade::room_detector

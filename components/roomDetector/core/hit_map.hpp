@@ -40,16 +40,23 @@ class HitMap {
   /// Mean positions of the returns in the cells of a band of heights.
   std::vector<WallPoint> points(const WallBand& band) const { return points(band.from, band.to); }
   std::vector<WallPoint> points(int from_level, int to_level) const;
-  /// Calls visit(mean position, count) for every cell.
+  /// Calls visit(mean position, count) for one cell after the other, while that returns true.
   template <class Visit>
-  void for_each(Visit&& visit) const {
+  void visit_while(Visit&& visit) const {
     for (const Cell& cell : cells_.entries()) {
       const Sum sum = sum_of(cell);
-      visit(Point2(sum.x_m / sum.count, sum.y_m / sum.count), sum.count);
+      if (!visit(Point2(sum.x_m / sum.count, sum.y_m / sum.count), sum.count)) return;
     }
   }
-  /// The returns of the levels, summed up by upright column, in the order of first sight.
-  std::vector<Sum> columns(int from_level, int to_level) const;
+  /// Sum of the returns in the cells of one upright column.
+  struct Upright {
+    std::uint64_t key = 0;
+    Sum sum;
+  };
+  /// From now on the returns at the heights of the band are kept by upright column, too.
+  void follow(const WallBand& band);
+  /// Those of the band, in the order of first sight.
+  const std::vector<Upright>& columns() const { return columns_.entries(); }
 
  private:
   /// What its returns add up to, counted from its lower corner: a zone holds hundreds of thousands of cells,
@@ -69,9 +76,12 @@ class HitMap {
   Sum sum_of(const Cell& cell) const;
   static bool is_within(const Cell& cell, int from_level, int to_level);
   void add(const Cell& more);
+  void add_to_column(const Cell& more);
 
   double cell_m_ = 0.0, resolution_m_ = 0.0;
   KeyedTable<Cell> cells_;  // in the order of first sight, so that sums come out the same every time
+  WallBand followed_{0, 0, false};
+  KeyedTable<Upright> columns_;
   std::uint64_t count_ = 0;
 };
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <unordered_set>
 
 #include "components/roomDetector/core/point_mover.hpp"
 
@@ -18,27 +17,21 @@ Point2 origin_near(const std::optional<Pose2>& T_zone_base) {
   return {std::round(T_zone_base->x_m), std::round(T_zone_base->y_m)};
 }
 
-constexpr double kFarthest_m = 1e4;  // from the zone's origin; a pose beyond that is none
+constexpr double kFarthestPose_m = 1e4;  // from the zone's origin; a pose beyond that is none
 
 std::optional<Pose2> usable(const std::optional<Pose2>& T_zone_base) {
   if (!T_zone_base || !std::isfinite(T_zone_base->yaw_rad)) return std::nullopt;
-  const bool is_near = std::abs(T_zone_base->x_m) < kFarthest_m && std::abs(T_zone_base->y_m) < kFarthest_m;
+  const bool is_near =
+      std::abs(T_zone_base->x_m) < kFarthestPose_m && std::abs(T_zone_base->y_m) < kFarthestPose_m;
   return is_near ? T_zone_base : std::nullopt;  // NaN compares false
 }
 
 constexpr double kLeastWall_m =
     0.3;  // of net evidence, that a room ends there; the corner of another wall is less
 
-using Columns = std::unordered_set<const Column*>;
-
-bool is_beside(const Columns& columns, const ColumnMap& map, const Column& column) {
-  for (int x = column.x - 1; x <= column.x + 1; ++x) {
-    for (int y = column.y - 1; y <= column.y + 1; ++y) {
-      const Column* known = map.find(x, y);
-      if (known && columns.contains(known)) return true;
-    }
-  }
-  return false;
+Pose2 correction_of(const Detection& d, std::size_t stand) {
+  const auto& corrections = d.diagnostics.corrections;
+  return stand < corrections.size() ? corrections[stand] : Pose2{};
 }
 
 }  // namespace
@@ -79,7 +72,8 @@ Detection RoomDetector::estimate(const std::optional<Pose2>& T_zone_robot) {
   const auto robot = T_zone_base ? std::optional(T_zone_base->translation()) : std::nullopt;
   const HoughSpace& space =
       votes_.update(map_, band, origin_near(T_zone_base), robot);  // eq. 1–3, steps 1, 2
-  const auto best = search_.find_best(space, robot);               // eq. 5–9, step 3
+  stands_.follow(band);
+  const auto best = search_.find_best(space, robot);  // eq. 5–9, step 3
   if (!best || best->score <= 0 || !is_closed(*best)) return d;
   d.diagnostics = {
       .above_furniture = band.above_furniture, .search = *best, .coarse = space.rectangle(best->rectangle)};
@@ -88,7 +82,7 @@ Detection RoomDetector::estimate(const std::optional<Pose2>& T_zone_robot) {
   d.estimate.rectangle = d.diagnostics.coarse;  // eq. 10–13, step 4
   if (config_.refine) refine(d, band);
   find_doors(d, space);  // eq. 14–16
-  fit_recent(d, band);   // r(i+1) of eq. 18–19
+  fit_recent(d);         // r(i+1) of eq. 18–19
   return d;
 }
 
@@ -123,15 +117,20 @@ std::vector<std::size_t> RoomDetector::stands_in(const Rectangle& room) const {
 
 std::vector<WallPoint> RoomDetector::cells_far_from(const std::vector<StandPoints>& stands,
                                                     const WallBand& band) const {
-  Columns columns_hit;
-  for (const StandPoints& stand : stands)
-    for (const WallPoint& point : stand.points) columns_hit.insert(map_.find(point.position));
+  const auto& columns = map_.columns();
+  std::vector<std::uint8_t> is_beside_hit(columns.size(), 0);
+  for (const StandPoints& stand : stands) {
+    for (const WallPoint& point : stand.points) {
+      const Column* hit = map_.find(point.position);
+      if (hit) map_.for_each_around(*hit, [&](std::size_t i) { is_beside_hit[i] = 1; });
+    }
+  }
   const Levels levels = band.levels();
   std::vector<WallPoint> points;
-  for (const Column& column : map_.columns()) {
-    const auto occupied = (column.occupied & levels).count();
-    if (occupied > 0 && !is_beside(columns_hit, map_, column))
-      points.push_back({map_.centre(column), static_cast<double>(occupied)});
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (is_beside_hit[i] != 0) continue;
+    if (const int occupied = count_of(columns[i].occupied & levels))
+      points.push_back({map_.centre(columns[i]), static_cast<double>(occupied)});
   }
   return points;
 }
@@ -139,36 +138,25 @@ std::vector<WallPoint> RoomDetector::cells_far_from(const std::vector<StandPoint
 std::vector<WallPoint> RoomDetector::door_hits(const Detection& d) const {
   std::vector<WallPoint> hits;
   for (std::size_t i = 0; i < stands_.all().size(); ++i) {
-    const auto& corrections = d.diagnostics.corrections;
-    const PointMover move(i < corrections.size() ? corrections[i] : Pose2{});
-    stands_.all()[i].fine_hits.for_each([&](const Point2& at, double count) {
+    const PointMover move(correction_of(d, i));
+    stands_.all()[i].fine_hits.visit_while([&](const Point2& at, double count) {
       hits.push_back({move(at), count});
+      return true;
     });
   }
   return hits;
 }
 
-/// Of what lies outside the room, since nothing else was seen through a gap; and one more, which tells that
-/// somebody has looked. None where it is not known what was seen through a gap.
-std::vector<Sighting> RoomDetector::sightings(const Detection& d) const {
-  std::vector<Sighting> seen;
+/// None where it is not known what was seen through a gap; of stands put together nobody knows which beam
+/// came from where.
+std::vector<Sightings> RoomDetector::sightings(const Detection& d) const {
+  std::vector<Sightings> seen;
   if (returns_missed_) return seen;
-  const Rectangle& room = d.estimate.rectangle;
-  const PointMover into_room(room.pose().inverse());
-  const auto is_outside = [&](const Point2& p) {
-    const Point2 local = into_room(p).cwiseAbs();
-    return local.x() > 0.5 * room.width_m || local.y() > 0.5 * room.height_m;
-  };
   for (std::size_t i = 0; i < stands_.all().size(); ++i) {
     const Stand& stand = stands_.all()[i];
-    if (stand.merged > 0) continue;
-    const auto& corrections = d.diagnostics.corrections;
-    const PointMover move(i < corrections.size() ? corrections[i] : Pose2{});
-    const Point2 from = move(stand.T_zone_base.translation());
-    stand.hits.for_each([&](const Point2& at, double count) {
-      const Point2 moved = move(at);
-      if (seen.empty() || is_outside(moved)) seen.push_back({from, moved, count});
-    });
+    if (stand.merged > 0 || stand.hits.empty()) continue;
+    const Pose2 correction = correction_of(d, i);
+    seen.push_back({correction * stand.T_zone_base.translation(), &stand.hits, correction});
   }
   return seen;
 }
@@ -178,7 +166,7 @@ void RoomDetector::refine(Detection& d, const WallBand& band) const {
   const auto inside = stands_in(d.diagnostics.coarse);
   std::vector<StandPoints> stands;
   for (const std::size_t i : inside)
-    stands.push_back({stands_.all()[i].T_zone_base, stands_.wall_points(stands_.all()[i], band)});
+    stands.push_back({stands_.all()[i].T_zone_base, stands_.all()[i].wall_points});
   const auto cells = cells_far_from(stands, band);
   if (stands.empty()) stands.emplace_back();
   stands.front().points.insert(stands.front().points.end(), cells.begin(), cells.end());
@@ -214,10 +202,10 @@ void RoomDetector::find_doors(Detection& d, const HoughSpace& space) const {
                    coarse, d.estimate.rectangle);
 }
 
-void RoomDetector::fit_recent(Detection& d, const WallBand& band) const {
+void RoomDetector::fit_recent(Detection& d) const {
   if (stands_.empty()) return;
-  d.diagnostics.recent_fit = fitter_.fit_pose(stands_.wall_points(stands_.all().back(), band),
-                                              d.estimate.rectangle, config_.joint.reach_m);
+  d.diagnostics.recent_fit =
+      fitter_.fit_pose(stands_.all().back().wall_points, d.estimate.rectangle, config_.joint.reach_m);
   if (d.diagnostics.recent_fit) d.estimate.recent = d.diagnostics.recent_fit->rectangle;
 }
 

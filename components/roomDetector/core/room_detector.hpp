@@ -70,13 +70,13 @@ class RoomDetector {
  private:
   void refine(Detection& d, const WallBand& band) const;
   void find_doors(Detection& d, const HoughSpace& space) const;
-  void fit_recent(Detection& d, const WallBand& band) const;
+  void fit_recent(Detection& d) const;
   /// Returns, and centres of the cells far from any: those of a snapshot taken after a restart.
   bool is_closed(const SearchResult& best) const;
   std::vector<std::size_t> stands_in(const Rectangle& room) const;
   std::vector<WallPoint> cells_far_from(const std::vector<StandPoints>& stands, const WallBand& band) const;
   std::vector<WallPoint> door_hits(const Detection& d) const;
-  std::vector<Sighting> sightings(const Detection& d) const;
+  std::vector<Sightings> sightings(const Detection& d) const;
 
   RoomDetectorConfig config_;
   ColumnMap map_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "components/roomDetector/core/stands.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -20,6 +21,7 @@ void Stands::add(const ScanHits& line, double resolution_m) {
   std::vector<CellHit> at_doors;
   for (const CellHit& hit : line.hits)
     if (hit.z_m >= config_.jamb_from_m && hit.z_m < config_.jamb_to_m) at_doors.push_back(hit);
+  followed_ = std::min(followed_, stands_.size() - 1);
   stands_.back().hits.add(line.hits, resolution_m);
   stands_.back().fine_hits.add(at_doors, 2.0 * config_.jamb_to_m, kJambCell_m);
 }
@@ -37,12 +39,23 @@ void Stands::put_oldest_together() {
   stands_[0].fine_hits.add(second.fine_hits);
   ++stands_[0].merged;
   stands_.erase(stands_.begin() + 1);
+  followed_ = 0;
 }
 
-std::vector<WallPoint> Stands::wall_points(const Stand& stand, const WallBand& band) const {
+void Stands::follow(const WallBand& band) {
+  if (!(band == band_)) followed_ = 0;
+  band_ = band;
+  for (; followed_ < stands_.size(); ++followed_) {
+    stands_[followed_].hits.follow(band);
+    stands_[followed_].wall_points = wall_points(stands_[followed_]);
+  }
+}
+
+std::vector<WallPoint> Stands::wall_points(const Stand& stand) const {
   const Point2 sensor = stand.T_zone_base * Point2(config_.sensor_forward_m, 0.0);
   std::vector<WallPoint> points;
-  for (const HitMap::Sum& column : stand.hits.columns(band.from, band.to)) {
+  points.reserve(stand.hits.columns().size());
+  for (const auto& [key, column] : stand.hits.columns()) {
     const Point2 at(column.x_m / column.count, column.y_m / column.count);
     const double up_m = column.z_m / column.count - config_.sensor_height_m;
     const Point2 flat = at - sensor;

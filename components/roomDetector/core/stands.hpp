@@ -24,6 +24,8 @@ struct Stand {
   HitMap hits;               ///< by cell of the grid
   HitMap fine_hits;          ///< by upright column of 1 cm, at the heights of doors
   std::uint32_t merged = 0;  ///< older stands that were put into this one
+  /// The returns at the heights of the band followed, by upright column, where odometry had them.
+  std::vector<WallPoint> wall_points;
 };
 
 /// The returns of the laser in one zone, by stand: what was measured from one place is rigid, whatever
@@ -32,20 +34,26 @@ class Stands {
  public:
   explicit Stands(const StandsConfig& config) : config_(config) {}
 
-  void clear() { stands_.clear(); }
+  void clear() {
+    stands_.clear();
+    followed_ = 0;
+  }
   void add(const ScanHits& line, double resolution_m);
 
   bool empty() const { return stands_.empty(); }
   const std::vector<Stand>& all() const { return stands_; }
-  /// The returns of a stand at the heights of the band, by upright column, where odometry had them.
-  std::vector<WallPoint> wall_points(const Stand& stand, const WallBand& band) const;
+  /// Brings the wall points of all stands up to date with this band.
+  void follow(const WallBand& band);
 
  private:
   bool is_new_stand(const Pose2& T_zone_base) const;
   void put_oldest_together();
+  std::vector<WallPoint> wall_points(const Stand& stand) const;
 
   StandsConfig config_;
   std::vector<Stand> stands_;
+  WallBand band_;
+  std::size_t followed_ = 0;  // stands before this one have not changed since the band was followed
 };
 
 }  // namespace enfilade::room_detector

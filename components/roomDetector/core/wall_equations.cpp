@@ -17,19 +17,17 @@ WallSights::WallSights(const Rectangle& r, double gate_m, double corner_m)
       reach_m_{0.5 * r.wall_length_m(0) - corner_m, 0.5 * r.wall_length_m(1) - corner_m},
       gate_m_(gate_m) {}
 
+/// Of two parallel walls the one on the side of the point is the nearer one.
 WallSight WallSights::of(const Point2& q) const {
   const Point2 local = into_rectangle_.turned(q - centre_);
-  // Outward and along (counter-clockwise) coordinates of walls 0 … 3.
-  const std::array<double, 4> out{local.x(), local.y(), -local.x(), -local.y()};
-  const std::array<double, 4> along{local.y(), -local.x(), -local.y(), local.x()};
-  WallSight best{-1, gate_m_, 0.0};
-  for (std::size_t i = 0; i < 4; ++i) {
-    const double residual = out[i] - distance_m_[i % 2];
-    if (std::abs(residual) >= std::abs(best.residual_m)) continue;
-    if (std::abs(along[i]) > reach_m_[i % 2]) continue;
-    best = {static_cast<int>(i), residual, along[i]};
-  }
-  return best;
+  const double across = std::abs(local.x()), up = std::abs(local.y());
+  const double to_x = across - distance_m_[0], to_y = up - distance_m_[1];
+  const bool faces_x = std::abs(to_x) < gate_m_ && up <= reach_m_[0],
+             faces_y = std::abs(to_y) < gate_m_ && across <= reach_m_[1];
+  if (faces_x && !(faces_y && std::abs(to_y) < std::abs(to_x)))
+    return local.x() < 0.0 ? WallSight{2, to_x, -local.y()} : WallSight{0, to_x, local.y()};
+  if (faces_y) return local.y() < 0.0 ? WallSight{3, to_y, local.x()} : WallSight{1, to_y, -local.x()};
+  return {-1, gate_m_, 0.0};
 }
 
 WallEquations wall_equations(std::span<const WallPoint> points, const Rectangle& r, double gate_m,

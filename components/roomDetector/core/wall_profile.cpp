@@ -27,10 +27,10 @@ SliceShares shares_of(const std::vector<WallSlice>& slices, std::size_t from, st
                       const Levels& band) {
   const double all = static_cast<double>((to - from) * band.count());
   if (all == 0.0) return {};
-  std::size_t occupied = 0, free = 0;
+  int occupied = 0, free = 0;
   for (std::size_t i = from; i < to; ++i) {
-    occupied += (slices[i].occupied & band).count();
-    free += (slices[i].free & band).count();
+    occupied += count_of(slices[i].occupied & band);
+    free += count_of(slices[i].free & band);
   }
   return {static_cast<double>(occupied) / all, static_cast<double>(free) / all};
 }

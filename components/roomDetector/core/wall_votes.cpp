@@ -67,7 +67,7 @@ void WallVotes::count(std::size_t index, const Column& column) {
     if (is_sample(column)) samples_.push_back(index);
   }
   Counted& known = counted_[index];
-  const int occupied = static_cast<int>((column.occupied & levels_).count());
+  const int occupied = count_of(column.occupied & levels_);
   const int now = is_wall_like(occupied) ? occupied : 0;
   wall_cells_ += now - known.wall_cells;
   wall_columns_ += (now > 0) - (known.wall_cells > 0);
@@ -93,10 +93,10 @@ void WallVotes::follow_connections(const ColumnMap& map, const std::optional<Poi
 
 void WallVotes::set_vote(const ColumnMap& map, std::size_t index) {
   const Column& column = map.columns()[index];
-  const int occupied = static_cast<int>((column.occupied & levels_).count());
+  const int occupied = count_of(column.occupied & levels_);
   Vote vote{map.centre(column), per_cell() * occupied, 0, 0};
   if (weighs_evidence()) {
-    vote.free = per_cell() * std::min(ordinary_, static_cast<int>((column.free & levels_).count()));
+    vote.free = per_cell() * std::min(ordinary_, count_of(column.free & levels_));
     const double of_wall = per_cell() * ordinary_;
     if (is_wall_like(occupied))
       vote.interior = static_cast<int>(std::lround(config_.interior_share * of_wall));

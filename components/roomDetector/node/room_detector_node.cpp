@@ -60,8 +60,8 @@ void RoomDetectorNode::estimate() {
   estimate.grid_sequence = grid_.sequence();
   estimate.stamp_ns = std::max(grid_stamp_ns_, hits_stamp_ns_);
   if (estimate.recent) estimate.recent_stamp_ns = hits_stamp_ns_;
+  estimate_.publish(estimate);  // first: somebody waits for it
   publish_diagnostics(detection, estimate);
-  estimate_.publish(std::move(estimate));
 }
 
 void RoomDetectorNode::publish_diagnostics(const Detection& detection, const RoomEstimate& estimate) {

@@ -102,11 +102,18 @@ ColumnMap room_with_gap(double from_m, double to_m, double top_m = 2.0) {
 }
 
 /// Returns of a wall `depth_m` behind wall 0, seen from the middle of the room.
-std::vector<Sighting> seen_behind(double depth_m) {
-  std::vector<Sighting> seen;
-  for (double y = -0.5; y < 0.4; y += 0.01)
-    seen.push_back({Point2::Zero(), {2.025 + depth_m, y * (2.025 + depth_m) / 2.025}});
+HitMap seen_behind(float depth_m) {
+  std::vector<CellHit> hits;
+  for (float y = -0.5F; y < 0.4F; y += 0.01F)
+    hits.push_back({2.025F + depth_m, y * (2.025F + depth_m) / 2.025F, 1.0F, 1});
+  HitMap seen;
+  seen.add(hits, 0.05);
   return seen;
+}
+
+WallGaps gaps_seen(const ColumnMap& map, const HitMap& seen) {
+  const std::vector<Sightings> sightings{{Point2::Zero(), &seen}};
+  return DoorFinder({}).find(map, kDoorRoom, {}, sightings);
 }
 
 TEST(DoorFinder, FindsADoubleDoorWhole) {
@@ -125,15 +132,14 @@ TEST(DoorFinder, FindsADoorInACorner) {
 }
 
 TEST(DoorFinder, FindsADoorWithAWallHalfAMetreBehindIt) {
-  const auto gaps = DoorFinder({}).find(room_with_gap(1.0, 1.9), kDoorRoom, {}, seen_behind(0.5));
+  const auto gaps = gaps_seen(room_with_gap(1.0, 1.9), seen_behind(0.5F));
   ASSERT_EQ(gaps.doors.size(), 1u);
   EXPECT_EQ(gaps.doors[0].state, DoorState::kOpen);
   EXPECT_NEAR(gaps.doors[0].gap.width_m(), 0.9, 0.06);
 }
 
 TEST(DoorFinder, OnlyDeemsAnOpeningPossibleThroughWhichNothingWasSeen) {
-  const std::vector<Sighting> the_wall_itself{{Point2::Zero(), {2.025, 1.0}}};
-  const auto gaps = DoorFinder({}).find(room_with_gap(1.0, 1.9), kDoorRoom, {}, the_wall_itself);
+  const auto gaps = gaps_seen(room_with_gap(1.0, 1.9), seen_behind(0.0F));
   ASSERT_EQ(gaps.doors.size(), 1u);
   EXPECT_EQ(gaps.doors[0].state, DoorState::kPossible) << "it may be glass";
 }
