@@ -45,6 +45,7 @@ Column& ColumnMap::column_at(const GridCell& cell) {
     // A grid grows for minutes: a quarter more room at a time wastes less than twice as much.
     if (columns_.size() == columns_.capacity()) columns_.reserve(columns_.size() * 5 / 4 + 1024);
     columns_.push_back({cell.x, cell.y, {}, {}});
+    places_.push_back({cell.x, cell.y});
     is_changed_.push_back(false);
   }
   const auto i = static_cast<std::size_t>(known);
@@ -61,10 +62,6 @@ const Column* ColumnMap::find(int x, int y) const {
 const Column* ColumnMap::find(const Point2& p) const {
   return find(static_cast<int>(std::floor(p.x() / resolution_m_)),
               static_cast<int>(std::floor(p.y() / resolution_m_)));
-}
-
-Point2 ColumnMap::centre(const Column& column) const {
-  return {(column.x + 0.5) * resolution_m_, (column.y + 0.5) * resolution_m_};
 }
 
 std::vector<std::size_t> ColumnMap::take_changed() {

@@ -55,10 +55,21 @@ class ColumnMap {
 
   double resolution_m() const { return resolution_m_; }
   const std::vector<Column>& columns() const { return columns_; }
+  /// Where the columns are: to go through when most of them do not matter.
+  struct Place {
+    std::int16_t x, y;
+  };
+  const std::vector<Place>& places() const { return places_; }
   const Column* find(int x, int y) const;
   /// The column under a point; null where nothing is known.
   const Column* find(const Point2& p) const;
-  Point2 centre(const Column& column) const;
+  Point2 centre(const Column& column) const { return centre(Place{column.x, column.y}); }
+  Point2 centre(const Place& place) const {
+    return {(place.x + 0.5) * resolution_m_, (place.y + 0.5) * resolution_m_};
+  }
+  std::size_t index_of(const Column& column) const {
+    return static_cast<std::size_t>(&column - columns_.data());
+  }
   /// Calls visit(index) for a column and those of its eight neighbours that are known.
   template <class Visit>
   void for_each_around(const Column& column, Visit visit) const {
@@ -79,6 +90,7 @@ class ColumnMap {
 
   double resolution_m_ = 0.05;
   std::vector<Column> columns_;
+  std::vector<Place> places_;
   std::vector<bool> is_changed_;
   std::vector<std::size_t> changed_;
   ColumnIndex index_;

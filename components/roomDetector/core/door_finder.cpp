@@ -74,11 +74,13 @@ void count_beyond(const Wall& wall, const WallInterval& gap, const DoorFinderCon
   const Segment segment = wall.rectangle.wall(wall.index);
   const Point2 along = segment.direction(), outwards = wall.rectangle.normal(wall.index);
   const Levels heights = level_range(level_of(config.beyond_floor_m, wall.map.resolution_m()), kLevels);
-  for (const Column& column : wall.map.columns()) {
-    const Point2 q = wall.map.centre(column) - segment.from;
+  const auto& places = wall.map.places();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Point2 q = wall.map.centre(places[i]) - segment.from;
     const double depth = q.dot(outwards), s = q.dot(along);
     if (depth < config.beyond_from_m || depth > config.beyond_to_m) continue;
     if (s < gap.from_m - depth || s > gap.to_m + depth) continue;
+    const Column& column = wall.map.columns()[i];
     evidence.beyond_occupied_cells += static_cast<std::uint32_t>(count_of(column.occupied & heights));
     evidence.beyond_free_cells += static_cast<std::uint32_t>(count_of(column.free & heights));
   }

@@ -91,6 +91,8 @@ class HoughSpace {
     int occupied, interior;
   };
   const std::vector<WallVote>& wall_votes() const { return wall_votes_; }
+  /// The index of the vote that each of them is of.
+  const std::vector<std::size_t>& wall_voters() const { return voter_; }
   const FreeMap& free_map() const { return free_map_; }
 
   /// Where the centres of the bins of a plane lie in the map of free space: bin (d, p) at start + d · by_d +

@@ -30,11 +30,10 @@ struct Sample {
 std::vector<Sample> samples_at(std::span<const HitByWall> hits, const End& end, double from_m, double to_m,
                                double reach_m) {
   std::vector<Sample> samples;
-  const auto first = std::lower_bound(hits.begin(), hits.end(), end.at_m - reach_m,
-                                      [](const HitByWall& hit, double s) { return hit.along_m < s; });
-  for (auto hit = first; hit != hits.end() && hit->along_m <= end.at_m + reach_m; ++hit) {
-    if (hit->outside_m < from_m || hit->outside_m > to_m) continue;
-    samples.push_back({(hit->along_m - end.at_m) * end.into_gap, hit->outside_m, hit->weight});
+  for (const HitByWall& hit : hits) {
+    if (std::abs(hit.along_m - end.at_m) > reach_m) continue;
+    if (hit.outside_m < from_m || hit.outside_m > to_m) continue;
+    samples.push_back({(hit.along_m - end.at_m) * end.into_gap, hit.outside_m, hit.weight});
   }
   std::sort(samples.begin(), samples.end(),
             [](const Sample& a, const Sample& b) { return a.into_m > b.into_m; });
@@ -130,8 +129,6 @@ std::vector<HitByWall> hits_by_wall(std::span<const WallPoint> hits, const Recta
     if (outside < -config.face_m || outside > config.reveal_to_m) continue;
     seen.push_back({q.dot(along), outside, hit.weight});
   }
-  std::sort(seen.begin(), seen.end(),
-            [](const HitByWall& a, const HitByWall& b) { return a.along_m < b.along_m; });
   return seen;
 }
 

@@ -26,7 +26,7 @@ struct HitByWall {
   double weight = 1.0;
 };
 
-/// Those of the returns that may lie on the wall or on a jamb of it, by along_m.
+/// Those of the returns that may lie on the wall or on a jamb of it.
 std::vector<HitByWall> hits_by_wall(std::span<const WallPoint> hits, const Rectangle& rectangle, int wall,
                                     const JambFitConfig& config);
 

@@ -117,20 +117,24 @@ std::vector<std::size_t> RoomDetector::stands_in(const Rectangle& room) const {
 
 std::vector<WallPoint> RoomDetector::cells_far_from(const std::vector<StandPoints>& stands,
                                                     const WallBand& band) const {
-  const auto& columns = map_.columns();
-  std::vector<std::uint8_t> is_beside_hit(columns.size(), 0);
+  std::vector<bool> is_hit(map_.columns().size(), false);
   for (const StandPoints& stand : stands) {
-    for (const WallPoint& point : stand.points) {
-      const Column* hit = map_.find(point.position);
-      if (hit) map_.for_each_around(*hit, [&](std::size_t i) { is_beside_hit[i] = 1; });
-    }
+    for (const WallPoint& point : stand.points)
+      if (const Column* hit = map_.find(point.position)) is_hit[map_.index_of(*hit)] = true;
   }
+  std::vector<std::size_t> far;
+  for (const std::size_t i : votes_.space()->wall_voters()) {
+    bool is_beside_hit = false;
+    map_.for_each_around(map_.columns()[i], [&](std::size_t at) { is_beside_hit |= is_hit[at]; });
+    if (!is_beside_hit) far.push_back(i);
+  }
+  std::sort(far.begin(), far.end());  // voters come and go in any order
   const Levels levels = band.levels();
   std::vector<WallPoint> points;
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    if (is_beside_hit[i] != 0) continue;
-    if (const int occupied = count_of(columns[i].occupied & levels))
-      points.push_back({map_.centre(columns[i]), static_cast<double>(occupied)});
+  for (const std::size_t i : far) {
+    const Column& column = map_.columns()[i];
+    if (const int occupied = count_of(column.occupied & levels))
+      points.push_back({map_.centre(column), static_cast<double>(occupied)});
   }
   return points;
 }
