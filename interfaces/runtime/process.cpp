@@ -12,6 +12,7 @@
 #include <optional>
 #include <thread>
 
+#include <malloc.h>
 #include <unistd.h>
 
 #include "interfaces/runtime/command_line.hpp"
@@ -175,10 +176,20 @@ void complain(const std::string& component, const std::string& what) {
   std::fprintf(stderr, "%s\n", text.c_str());
 }
 
+/// Left alone, the allocator keeps ever larger blocks to itself once one was freed, up to 32 MB: what a
+/// growing table leaves behind each time it moves would stay resident.
+void give_back_large_blocks() {
+#ifdef __GLIBC__
+  constexpr int kLarge_bytes = 1 << 20;
+  mallopt(M_MMAP_THRESHOLD, kLarge_bytes);
+#endif
+}
+
 }  // namespace
 
 int run_process(const ComponentRecipe& recipe, int argc, const char* const* argv, const MakeBus& make_bus) {
   std::setlocale(LC_NUMERIC, "C");
+  give_back_large_blocks();
   block_stop_signals();
   const auto [line, exit_status] = parse_command_line(recipe.name, argc, argv);
   if (!line) return exit_status;
