@@ -46,6 +46,7 @@ bool ExplorationMachine::come_back_to_doors(const Observation& seen, Decision& d
   put_off_.clear();
   avoid_.clear();
   attempts_.clear();
+  barred_.clear();
   look_behind(seen, decision);
   return true;
 }

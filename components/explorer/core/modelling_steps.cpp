@@ -197,7 +197,8 @@ void ExplorationMachine::look(const Observation& seen, Decision& decision) {
   if (status == DriveStatus::kDriving) return;
   if (status == DriveStatus::kFailed) {
     decision.warnings.push_back("cannot get there: looking from here");
-    barred_.push_back(state_.goal->translation());
+    const Point2 goal = state_.goal->translation();
+    if (!is_barred(seen.T_zone_base->translation(), {goal})) barred_.push_back(goal);
   }
   begin_sweep(purpose_, seen);
 }

@@ -20,6 +20,17 @@ void OdometryBuffer::add(const Odometry& sample) {
   if (samples_.size() > static_cast<std::size_t>(config_.max_samples)) samples_.pop_front();
 }
 
+bool OdometryBuffer::is_break(const Odometry& sample) const {
+  constexpr double kSpareM = 0.05, kSpareRad = 0.05;
+  if (samples_.empty()) return false;
+  const Sample& before = samples_.back();
+  const double gap_s = seconds(sample.stamp_ns - before.stamp_ns);
+  const Pose2 way = before.moment.T_odom_base.inverse() * to_pose2(sample.T_odom_base);
+  return gap_s > config_.max_gap_s ||
+         way.translation().norm() > kSpareM + gap_s * config_.fastest_linear_m_s ||
+         std::abs(wrap_to_pi(way.yaw_rad)) > kSpareRad + gap_s * config_.fastest_angular_rad_s;
+}
+
 std::optional<BaseMoment> OdometryBuffer::find_moment(StampNs stamp_ns) const {
   const auto after = std::lower_bound(samples_.begin(), samples_.end(), stamp_ns,
                                       [](const Sample& s, StampNs stamp) { return s.stamp_ns < stamp; });

@@ -15,6 +15,8 @@ struct OdometryBufferConfig {
   double max_gap_s = 0.5;          ///< no pose is made up between samples farther apart
   double still_linear_m_s = 0.02;  ///< up to these speeds the base counts as standing
   double still_angular_rad_s = 0.02;
+  double fastest_linear_m_s = 2.0;  ///< a base that seems faster was counted from another origin
+  double fastest_angular_rad_s = 4.0;
 };
 
 /// Where the base was at one moment.
@@ -34,10 +36,9 @@ class OdometryBuffer {
 
   /// Whether a sample at or after `stamp_ns` has come, so that waiting is over.
   bool reaches(StampNs stamp_ns) const { return !samples_.empty() && samples_.back().stamp_ns >= stamp_ns; }
-  /// Whether nothing was heard for too long before a sample of this stamp.
-  bool is_after_gap(StampNs stamp_ns) const {
-    return !samples_.empty() && seconds(stamp_ns - samples_.back().stamp_ns) > config_.max_gap_s;
-  }
+  /// Whether no base is so fast as to have come here since the newest sample, or nobody knows, since nothing
+  /// was heard for too long: the sample may be of another boot of the odometry.
+  bool is_break(const Odometry& sample) const;
   /// Nothing where the stamp lies outside what is remembered, or in a gap.
   std::optional<BaseMoment> find_moment(StampNs stamp_ns) const;
 

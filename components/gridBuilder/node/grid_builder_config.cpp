@@ -22,6 +22,8 @@ void bind_odometry(ConfigBinder& c, OdometryBufferConfig& odometry) {
   c.number("max_gap_s", odometry.max_gap_s, 0.01, 10.0);
   c.number("still_linear_m_s", odometry.still_linear_m_s, 0.0, 10.0);
   c.number("still_angular_rad_s", odometry.still_angular_rad_s, 0.0, 10.0);
+  c.number("fastest_linear_m_s", odometry.fastest_linear_m_s, 0.1, 100.0);
+  c.number("fastest_angular_rad_s", odometry.fastest_angular_rad_s, 0.1, 100.0);
 }
 
 void bind_drift(ConfigBinder& c, OdometryDriftConfig& d) {

@@ -105,9 +105,9 @@ void GridBuilderNode::take_zone(const CurrentZone& zone) {
   if (gate_.take(zone)) start_grid();
 }
 
-/// After a silence odometry may count from another origin: only the motors tell.
+/// After a silence or a jump odometry may count from another origin: only the motors tell.
 void GridBuilderNode::take_odometry(const Odometry& odometry) {
-  if (odometry_.is_after_gap(odometry.stamp_ns)) unsure_since_ns_ = odometry.stamp_ns;
+  if (odometry_.is_break(odometry)) unsure_since_ns_ = odometry.stamp_ns;
   odometry_.add(odometry);
   if (unsure_since_ns_) return;
   registrar_.move(to_pose2(odometry.T_odom_base));
@@ -144,7 +144,7 @@ void GridBuilderNode::start_grid() {
 }
 
 void GridBuilderNode::work_off_lines() {
-  if (!origin_base_ || !drift_known_) return;
+  if (!origin_base_ || !drift_known_ || unsure_since_ns_) return;
   while (const BaseLine* next = lines_.front()) {
     if (!config_.gate.stationary && !odometry_.reaches(next->stamp_ns)) return;
     const BaseLine line = lines_.pop();

@@ -40,6 +40,7 @@ bool holds_walls(const ColumnMap& map, const WallBand& band, int body_from) {
 /// stacked under `to` in which they are seen.
 std::optional<WallBand> top_of_walls(const ColumnMap& map, int to, int height, int body_from) {
   const int lowest = level_of(kLowestWall_m, map.resolution_m());
+  if (height <= 0) return std::nullopt;  // cells as high as the band
   for (; to - height >= lowest; to -= height) {
     const WallBand band{to - height, to, true};
     if (holds_walls(map, band, body_from)) return band;

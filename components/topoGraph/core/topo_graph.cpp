@@ -131,10 +131,11 @@ ObserveOutcome TopoGraph::observe(const RoomEstimate& estimate) {
     outcome.correction = locate(estimate);
     return outcome;
   }
-  // A room that is not in the graph yet hangs on the zone's frame, which outlives the odometry.
-  if (!session.odom_boot || !session.zone.room) session.odom_boot = estimate.tag.odom_boot;
+  if (!session.odom_boot) session.odom_boot = estimate.tag.odom_boot;
   outcome.odometry_restarted = *session.odom_boot != estimate.tag.odom_boot;
-  if (outcome.odometry_restarted) {
+  // A room that is not in the graph yet hangs on the zone's frame, which outlives the odometry.
+  if (!session.zone.room) session.odom_boot = estimate.tag.odom_boot;
+  if (outcome.odometry_restarted && session.zone.room) {
     outcome.correction = find_room_again(estimate);
     outcome.room_found_again = outcome.correction.has_value();
   } else {

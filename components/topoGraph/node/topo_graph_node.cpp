@@ -138,7 +138,9 @@ void TopoGraphNode::look_at_estimate() {
 void TopoGraphNode::warn_of_lost_zone(const RoomEstimate& estimate) {
   if (lost_in_boot_ == estimate.tag.odom_boot) return;
   lost_in_boot_ = estimate.tag.odom_boot;
-  context_.log.warn("odometry started anew; the room has not been found in it yet");
+  context_.log.warn(graph_.state().session.zone.room
+                        ? "odometry started anew; the room has not been found in it yet"
+                        : "odometry started anew; the room is modelled on from where the robot stood");
 }
 
 /// Writes what has changed since `before`. Where that fails the change is undone, and the reason returned.

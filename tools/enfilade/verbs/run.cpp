@@ -52,7 +52,7 @@ Verb add_run(CLI::App& app) {
   auto arguments = std::make_shared<RunArguments>();
   CLI::App* command = app.add_subcommand("run",
                                          "Explore a world with simulator and components in this process, on "
-                                         "a virtual clock, repeatable to the byte");
+                                         "a virtual clock, repeatable to the byte but for wall_time_s");
   command->add_option("world", arguments->world, "World file (etc/worlds/*.yaml, or a map_server map.yaml)")
       ->required();
   CLI::Option* seed = command->add_option("--seed", arguments->seed, "Seed of the simulator's noise");

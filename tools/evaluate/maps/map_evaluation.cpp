@@ -38,8 +38,11 @@ bool is_rectangular(const PlanRoom& room, const MapConfig& config) {
 MapResult evaluate_map(const std::string& plan, bool is_furnished, const MapConfig& config) {
   const std::string file = plan + (is_furnished ? "_furnitures.png" : ".png");
   MapResult result{.name = fs::path(plan).filename().string(), .is_furnished = is_furnished};
-  const auto rooms = plan_rooms(simulator::read_grey_image(plan + kTruth), simulator::read_grey_image(file),
-                                config.resolution_m);
+  const auto segmentation = simulator::read_grey_image(plan + kTruth),
+             image = simulator::read_grey_image(file);
+  if (segmentation.columns != image.columns || segmentation.rows != image.rows)
+    throw std::runtime_error(file + ": is not of the same size as " + plan + kTruth);
+  const auto rooms = plan_rooms(segmentation, image, config.resolution_m);
   for (const PlanRoom& room : rooms) {
     ++result.rooms;
     if (!is_rectangular(room, config)) continue;
@@ -68,6 +71,8 @@ std::vector<MapResult> evaluate_maps(const std::string& folder, const MapConfig&
     for (const bool is_furnished : {false, true})
       if (fs::exists(plan + (is_furnished ? "_furnitures.png" : ".png")))
         results.push_back(evaluate_map(plan, is_furnished, config));
+  if (results.empty())
+    throw std::runtime_error(folder + ": holds none of the plans that its *" + kTruth + " belong to");
   return results;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace enfilade::evaluate {
 namespace {
@@ -174,6 +175,8 @@ Rectangle smallest_rectangle(std::vector<Point2> points) {
 }
 
 std::vector<PlanRoom> plan_rooms(const GreyImage& segmentation, const GreyImage& plan, double resolution_m) {
+  if (segmentation.columns != plan.columns || segmentation.rows != plan.rows)
+    throw std::invalid_argument("plan and rooms are images of different sizes");
   const std::vector<int> clear = clearances(plan);
   std::vector<PlanRoom> rooms;
   for (const std::vector<int>& area : white_areas(segmentation)) {

@@ -17,7 +17,7 @@ struct PlanRoom {
 };
 
 /// The white areas of `segmentation`, from 2 m² on. The robot may stand where `plan`, of the same size, is
-/// white too.
+/// white too. Throws std::invalid_argument where they differ in size.
 std::vector<PlanRoom> plan_rooms(const simulator::GreyImage& segmentation, const simulator::GreyImage& plan,
                                  double resolution_m);
 

@@ -151,7 +151,7 @@ TEST_F(GridBuilderNodeTest, FusesLinesThatWaitedForTheirPlaceAFewAtATime) {
   estimate.rectangle = {0.0, -0.0075, 0.002, 6.011, 5.018};
   harness_->publish(topics::kRoomEstimate, estimate);
   const Pose2 T_zone_base{0.5, 0.2, 0.3};
-  for (int i = 0; i < 50; ++i) tell_pose(5.1 + 0.1 * i, T_zone_base);
+  for (int i = 0; i < 50; ++i) tell_pose(5.4 + 0.1 * i, T_zone_base);
   settle();
 
   const BoxRoom room;
@@ -160,7 +160,7 @@ TEST_F(GridBuilderNodeTest, FusesLinesThatWaitedForTheirPlaceAFewAtATime) {
   int waited = 0;
   constexpr int kLines = 120;
   for (int i = 0; i < kLines; ++i) {
-    PointCloud cloud{from_seconds(5.2 + 0.025 * i), "base_link", {}};
+    PointCloud cloud{from_seconds(5.5 + 0.025 * i), "base_link", {}};
     for (const Point3f& p : room.scan(0, {0.5, 0.2, 0.6}, radians(-90.0 + i), 541).hits) {
       const Point2 q = T_zone_base.inverse() * Point2(p.x_m, p.y_m);
       cloud.points.push_back({static_cast<float>(q.x()), static_cast<float>(q.y()), p.z_m});
@@ -182,11 +182,11 @@ TEST_F(GridBuilderNodeTest, WaitsForTheOdometryThatCoversALine) {
   see(5.05);
   settle();
   EXPECT_EQ(changes_->size(), 1u);
-  tell_pose(5.1, {1.0, 0.0, 0.0});
+  tell_pose(5.1, {0.1, 0.0, 0.0});
   settle();
   ASSERT_EQ(hits_->size(), 1u);
-  EXPECT_NEAR(hits_->front().T_zone_base.x_m, 0.5, 1e-9);
-  EXPECT_NEAR(hits_->front().hits[0].x_m, 2.52, 1e-6);
+  EXPECT_NEAR(hits_->front().T_zone_base.x_m, 0.05, 1e-9);
+  EXPECT_NEAR(hits_->front().hits[0].x_m, 2.07, 1e-6);
 }
 
 TEST_F(GridBuilderNodeTest, TakesOnlyLinesOfASweepWithTheBaseStanding) {
@@ -241,19 +241,24 @@ TEST_F(GridBuilderNodeTest, GoesOnFromWhereTheRobotStoodWhenTheOdometryBootsAgai
   const Pose2 stood{1.5, -0.5, 0.3};
   GridBuilderConfig config;
   config.registration.register_scans = true;
-  for (const bool odometry_comes_first : {false, true}) {
+  for (const auto [odometry_comes_first, silence_s] :
+       {std::pair{false, 3.0}, std::pair{true, 3.0}, std::pair{true, 0.1}}) {
     start(config);
+    mount_laser();
     auto& tf = harness_->collect(topics::kTf);
     tell_zone(1);
     tell_sweep(SweepPhase::kParked, 0.0);
     for (int i = 0; i <= 20; ++i) tell_pose(0.1 * i, interpolate(Pose2{}, stood, 0.05 * i));
     settle();
-    harness_->advance_s(3.0);  // the motors are dead
-    if (odometry_comes_first) tell_pose(5.0, {});
+    harness_->advance_s(silence_s);  // the motors are dead
+    if (odometry_comes_first) {
+      tell_pose(2.0 + silence_s, {});
+      see(2.0 + silence_s);
+    }
     settle();
     tell_sweep(SweepPhase::kParked, 0.0, 0.0, 8);
     settle();
-    if (!odometry_comes_first) tell_pose(5.0, {});
+    if (!odometry_comes_first) tell_pose(2.0 + silence_s, {});
     tf.clear();
     harness_->advance_s(0.3);
     ASSERT_FALSE(tf.empty());

@@ -108,5 +108,16 @@ TEST(HardInputs, TheScoreIsTheSumOfItsTerms) {
   EXPECT_EQ(why.slice.levels.size(), static_cast<std::size_t>(why.slice.columns) * why.slice.rows);
 }
 
+TEST(HardInputs, CellsAsHighAsTheWallBandOrABandUpsideDownAreNoEndlessSearch) {
+  for (const auto& [resolution_m, to_m] :
+       {std::pair{1.0, 2.4}, std::pair{0.05, 2.06}, std::pair{0.05, 1.9}}) {
+    RoomDetectorConfig config;
+    config.band.wall_band_to_m = to_m;
+    RoomDetector detector(config);
+    detector.clear(resolution_m);
+    EXPECT_FALSE(detector.estimate(Pose2{}).estimate.found);
+  }
+}
+
 }  // namespace
 }  // namespace enfilade::room_detector

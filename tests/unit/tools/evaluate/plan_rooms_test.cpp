@@ -52,7 +52,14 @@ TEST(PlanRooms, TheRobotDoesNotStandInADoorway) {
   const auto truth = plan_of({{20, 20, 100, 80}, {82, 80, 100, 86}});
   const auto plan = plan_of({{20, 20, 100, 80}, {82, 80, 100, 110}});
   const auto stands = plan_rooms(truth, plan, 0.05).at(0).stands;
+  ASSERT_EQ(stands.size(), 3u);
   for (const Point2& stand : stands) EXPECT_GT(stand.y(), 2.0 + 0.25);
+}
+
+TEST(PlanRooms, RefusesImagesOfDifferentSizes) {
+  simulator::GreyImage smaller = plan_of({{20, 20, 100, 80}});
+  smaller.rows -= 1;
+  EXPECT_THROW(plan_rooms(plan_of({{20, 20, 100, 80}}), smaller, 0.05), std::invalid_argument);
 }
 
 TEST(SmallestRectangle, TurnsWithThePoints) {

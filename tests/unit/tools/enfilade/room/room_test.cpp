@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/enfilade/room/find_room.hpp"
+#include "tools/support/scratch_folder.hpp"
 
 namespace enfilade::room {
 namespace {
@@ -18,7 +19,7 @@ struct Box {
 };
 
 /// A map of 10 × 6 m, black with white boxes in the grey of the unknown.
-std::string write_map(const Box& black, std::initializer_list<Box> white) {
+Survey survey_of_map(const Box& black, std::initializer_list<Box> white) {
   std::string pixels(kColumns * kRows, '\xCD');
   const auto draw = [&](const Box& box, char grey) {
     for (int y = box.y_from; y < box.y_to; ++y)
@@ -27,21 +28,22 @@ std::string write_map(const Box& black, std::initializer_list<Box> white) {
   };
   draw(black, '\x00');
   for (const Box& box : white) draw(box, '\xFE');
-  const auto folder = std::filesystem::path(testing::TempDir());
+  const ScratchFolder scratch;
+  const auto& folder = scratch.path();
   std::ofstream(folder / "plan.pgm", std::ios::binary) << "P5\n"
                                                        << kColumns << " " << kRows << "\n255\n"
                                                        << pixels;
   std::ofstream(folder / "plan.yaml") << "image: plan.pgm\nresolution: 0.05\norigin: [-10.0, -4.0, 0.0]\n";
-  return (folder / "plan.yaml").string();
+  return read_survey((folder / "plan.yaml").string(), {});
 }
 
 /// A 5 × 4 m room, inner size, with a 0.9 m door in its right wall, and a second room behind it.
-std::string write_plan() {
-  return write_map({18, 180, 18, 102}, {{20, 120, 20, 100}, {122, 178, 20, 100}, {120, 122, 50, 68}});
+Survey survey_of_plan() {
+  return survey_of_map({18, 180, 18, 102}, {{20, 120, 20, 100}, {122, 178, 20, 100}, {120, 122, 50, 68}});
 }
 
 TEST(FindRoom, FindsTheRoomOfAPlanAndItsDoorInTheCoordinatesOfTheMap) {
-  const FoundRoom room = find_room(read_survey(write_plan(), {}), {}, Point2(-7.0, -1.0));
+  const FoundRoom room = find_room(survey_of_plan(), {}, Point2(-7.0, -1.0));
   ASSERT_TRUE(room.estimate.found);
   const Rectangle& r = room.estimate.rectangle;
   EXPECT_NEAR(r.x_m, -6.5, 0.05);
@@ -58,16 +60,15 @@ TEST(FindRoom, FindsTheRoomOfAPlanAndItsDoorInTheCoordinatesOfTheMap) {
 }
 
 TEST(FindRoom, TellsARoomFromTheCorridorBehindItsOpenDoorThoughThereIsNoLintel) {
-  const std::string map =
-      write_map({0, 200, 18, 120}, {{60, 120, 20, 80}, {80, 100, 80, 84}, {2, 198, 84, 104}});
-  const FoundRoom room = find_room(read_survey(map, {}), {}, Point2(-5.5, -1.5));
+  const Survey survey =
+      survey_of_map({0, 200, 18, 120}, {{60, 120, 20, 80}, {80, 100, 80, 84}, {2, 198, 84, 104}});
+  const FoundRoom room = find_room(survey, {}, Point2(-5.5, -1.5));
   ASSERT_TRUE(room.estimate.found);
   EXPECT_NEAR(room.estimate.rectangle.area_m2(), 9.0, 1.0);
 }
 
 TEST(FindRoom, SaysHowWideACorridorIsOfWhichOneEndWasSeen) {
-  const std::string map = write_map({0, 200, 18, 120}, {{2, 200, 20, 64}});
-  Survey survey = read_survey(map, {});
+  Survey survey = survey_of_map({0, 200, 18, 120}, {{2, 200, 20, 64}});
   std::erase_if(survey.cells, [](const GridCell& c) {  // doorways and glass: a third of the walls is left
     return c.x > 4 && c.x % 30 > 9 && c.state == CellState::kOccupied;
   });

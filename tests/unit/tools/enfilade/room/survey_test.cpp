@@ -11,6 +11,7 @@
 #include <octomap/OcTree.h>
 
 #include "tools/enfilade/room/view.hpp"
+#include "tools/support/scratch_folder.hpp"
 
 namespace enfilade::room {
 namespace {
@@ -81,7 +82,8 @@ TEST(LogSurvey, IsOneLayerAndStandsWhereTheRobotEnded) {
 
 /// Of rows given from the top.
 Survey survey_of_pixels(const std::vector<std::string>& rows) {
-  const auto file = std::filesystem::path(testing::TempDir()) / "drawn.pgm";
+  const ScratchFolder scratch;
+  const auto file = scratch.path() / "drawn.pgm";
   std::ofstream out(file, std::ios::binary);
   out << "P5\n" << rows.front().size() << " " << rows.size() << "\n255\n";
   for (const std::string& row : rows) out << row;
