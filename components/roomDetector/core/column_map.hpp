@@ -29,7 +29,7 @@ inline double bottom_of(int level, double resolution_m) { return (level - kBelow
 /// Levels from ≤ l < to.
 Levels level_range(int from, int to);
 
-/// How many levels are set. A library without the instruction for it counts words without any just as slowly.
+/// How many levels are set.
 inline int count_of(const Levels& levels) {
   using Words = std::array<std::uint64_t, kLevels / 64>;
   int count = 0;

@@ -16,7 +16,7 @@ namespace enfilade::room_detector {
 /// Values are held in 16 bits, in units of 2^scale_bits and rounded up.
 class CornerBlocks {
  public:
-  /// No corner may exceed 2^(14 + scale_bits).
+  /// All corners stay below 2^(14 + scale_bits), so that two of them add up in 16 bits.
   void lay_out(const LineBlocks& blocks, int scale_bits);
   /// Takes all corners for worse than any.
   void clear();

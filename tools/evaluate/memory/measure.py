@@ -63,7 +63,7 @@ def main():
             time.sleep(0.5)
         if run.returncode != 0 or len(peak) != len(PARTS):
             raise SystemExit(f"the run failed with status {run.returncode}")
-    print(f"{'MB':<14}{'resident':>10}{'of it own':>10}{'most':>8}")
+    print(f"{'MB':<14}{'resident':>10}{'of its own':>10}{'most':>8}")
     for name in PARTS:
         own = megabytes(last[name], "RssAnon")
         print(f"{name:<14}{megabytes(last[name], 'VmRSS'):>10.1f}{own:>10.1f}{peak[name]:>8.1f}")
