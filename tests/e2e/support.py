@@ -11,6 +11,7 @@ from pathlib import Path
 SOURCE = Path(os.environ.get("ENFILADE_SOURCE", Path(__file__).resolve().parents[2]))
 BIN = Path(os.environ.get("ENFILADE_BIN", SOURCE / "build/release/bin"))
 PAPER_WORLD = SOURCE / "etc/worlds/paper_two_rooms.yaml"
+RING_WORLD = SOURCE / "etc/worlds/four_rooms_ring.yaml"
 FULL = os.environ.get("ENFILADE_FULL") == "1"
 COMPONENTS = ["simulator", "motorControl", "laser3D", "gridBuilder", "roomDetector", "topoGraph", "explorer"]
 

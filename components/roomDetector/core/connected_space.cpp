@@ -58,9 +58,9 @@ void ConnectedSpace::flood(const Point2& robot) {
   if (!knows_robot_) return;
   front_.assign(1, start);
   reached_[static_cast<std::size_t>(start)] = 1;
-  const int around[] = {-side_ - 1, -side_, -side_ + 1, -1, 1, side_ - 1, side_, side_ + 1};
+  const int beside[] = {-side_, -1, 1, side_};
   for (std::size_t k = 0; k < front_.size(); ++k) {
-    for (const int step : around) {
+    for (const int step : beside) {
       const int next = front_[k] + step;
       if (reached_[static_cast<std::size_t>(next)] != 0 || !blocks_[static_cast<std::size_t>(next)].is_open())
         continue;

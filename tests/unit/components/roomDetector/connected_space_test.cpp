@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "components/roomDetector/core/connected_space.hpp"
 
+#include <cmath>
 #include <functional>
 
 #include <gtest/gtest.h>
@@ -37,6 +38,23 @@ TEST(ConnectedSpace, SpaceBehindAGapInTheWallIsNot) {
 TEST(ConnectedSpace, AGapThatWasNotSeenConnectsNothing) {
   const auto space = two_rooms([](int y) { return y >= 10 && y < 18 ? Kind::kUnknown : Kind::kWall; });
   EXPECT_TRUE(space.is_apart(60, 20));
+}
+
+TEST(ConnectedSpace, AWallOneColumnThinIsTightInEveryDirection) {
+  for (int deg = 0; deg < 180; ++deg) {
+    const Point2 normal = rotate(deg * kPi / 180.0, {1.0, 0.0});
+    const double width = std::max(std::abs(normal.x()), std::abs(normal.y()));  // columns meet at corners
+    ConnectedSpace space(0.05, Point2::Zero(), 3.0);
+    for (int x = -70; x < 70; ++x) {
+      for (int y = -70; y < 70; ++y) {
+        const double across = normal.dot(Point2(x, y)) - 10.3;
+        space.change(x, y, Kind::kUnknown, std::abs(across) <= 0.5 * width ? Kind::kWall : Kind::kOpen);
+      }
+    }
+    space.flood(Point2::Zero());
+    const Point2 behind = 40.0 * normal;
+    EXPECT_TRUE(space.is_apart(static_cast<int>(behind.x()), static_cast<int>(behind.y()))) << deg << "°";
+  }
 }
 
 TEST(ConnectedSpace, FollowsWhatChanges) {
