@@ -58,14 +58,18 @@ void ConnectedSpace::flood(const Point2& robot) {
   if (!knows_robot_) return;
   front_.assign(1, start);
   reached_[static_cast<std::size_t>(start)] = 1;
-  const int beside[] = {-side_, -1, 1, side_};
+  const auto is_wall = [&](int block) { return blocks_[static_cast<std::size_t>(block)].walls > 0; };
   for (std::size_t k = 0; k < front_.size(); ++k) {
-    for (const int step : beside) {
-      const int next = front_[k] + step;
-      if (reached_[static_cast<std::size_t>(next)] != 0 || !blocks_[static_cast<std::size_t>(next)].is_open())
-        continue;
-      reached_[static_cast<std::size_t>(next)] = 1;
-      front_.push_back(next);
+    for (const int dx : {-side_, 0, side_}) {
+      for (const int dy : {-1, 0, 1}) {
+        const int next = front_[k] + dx + dy;
+        if (reached_[static_cast<std::size_t>(next)] != 0 ||
+            !blocks_[static_cast<std::size_t>(next)].is_open())
+          continue;
+        if (is_wall(front_[k] + dx) && is_wall(front_[k] + dy)) continue;  // they meet at this corner
+        reached_[static_cast<std::size_t>(next)] = 1;
+        front_.push_back(next);
+      }
     }
   }
 }

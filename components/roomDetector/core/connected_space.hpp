@@ -13,8 +13,9 @@ namespace enfilade::room_detector {
 /// at these heights by the wall over the door, and does not belong to the room.
 ///
 /// Columns are looked at in blocks of two by two: a block with a wall in it is closed, one without and with
-/// a free column is open, all others are not known and closed too. Open blocks hang together by their edges,
-/// not by their corners: of a thin wall across the grid two blocks may meet at no more than a corner.
+/// a free column is open, all others are not known and closed too. Open blocks that touch hang together,
+/// except where two walls meet between them: of a thin wall askew to the grid two blocks often share no more
+/// than a corner.
 class ConnectedSpace {
  public:
   enum class Kind : std::uint8_t { kUnknown, kOpen, kWall };
