@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "tests/unit/components/roomDetector/random_rooms.hpp"
+
 namespace enfilade::bench {
 namespace {
 

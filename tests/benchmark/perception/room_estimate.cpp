@@ -2,7 +2,8 @@
 #include <benchmark/benchmark.h>
 
 #include "components/roomDetector/core/room_detector.hpp"
-#include "tests/unit/components/roomDetector/sim_room.hpp"
+#include "tests/unit/components/roomDetector/random_rooms.hpp"
+#include "tests/unit/components/roomDetector/sim_grid.hpp"
 
 namespace enfilade::room_detector {
 namespace {

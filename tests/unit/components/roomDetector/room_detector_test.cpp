@@ -5,7 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/unit/components/roomDetector/sim_room.hpp"
+#include "tests/unit/components/roomDetector/random_rooms.hpp"
+#include "tests/unit/components/roomDetector/sim_grid.hpp"
 
 namespace enfilade::room_detector {
 namespace {

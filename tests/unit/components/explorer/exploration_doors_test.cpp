@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/components/explorer/machine_world.hpp"
+
+namespace enfilade::explorer {
+namespace {
+
+TEST(ExplorationDoors, LeavesThroughTheDoorCentredAndEntersTheNextZone) {
+  MachineWorld world;
+  ASSERT_TRUE(world.run_until(ExplorationPhase::kEntering, 200));
+  world.run_until(ExplorationPhase::kWaiting, 1.0);
+  ASSERT_TRUE(world.asked_to_enter);
+  EXPECT_EQ(world.asked_to_enter->from_room, 1u);
+  EXPECT_EQ(world.asked_to_enter->via_door, 1u);
+  EXPECT_NEAR(world.asked_to_enter->T_zone_base.x_m, 4.85, 0.05);
+  EXPECT_NEAR(world.asked_to_enter->T_zone_base.y_m, 2.0, 0.05);
+  EXPECT_NEAR(world.asked_to_enter->T_zone_base.yaw_rad, 0.0, radians(3));
+}
+
+TEST(ExplorationDoors, MarksADoorOntoEmptyGroundAsAnExitAndFinishes) {
+  MachineWorld world;
+  world.grid = SyntheticRoom().room(0, 0, 4, 4).solid(4.0, 0, 4.2, 4).free(4.0, 1.5, 8, 2.5, 0.0, 2.0).grid();
+  ASSERT_TRUE(world.run_until(ExplorationPhase::kFinished, 300));
+  EXPECT_EQ(world.map.doors[0].kind, DoorKind::kExit);
+  EXPECT_TRUE(world.said("door 1 opens on empty ground: an exit"));
+  EXPECT_TRUE(world.said("no door is left: finished after"));
+  EXPECT_LT(world.pose.x_m, 3.7);
+}
+
+TEST(ExplorationDoors, MarksADoorThatIsNoWayThroughAsBlocked) {
+  MachineWorld world;
+  const auto box = SyntheticRoom().solid(4.3, 1.0, 4.7, 3.0, 0.0, 0.5);
+  world.grid.apply(0.05, box.cells());
+  ASSERT_TRUE(world.run_until(ExplorationPhase::kFinished, 400));
+  EXPECT_EQ(world.map.doors[0].kind, DoorKind::kBlocked);
+  EXPECT_TRUE(world.said("trying again what could not be reached, 1 unresolved door"));
+}
+
+TEST(ExplorationDoors, ComesBackToADoorThatWasBarredWhenNoOtherIsLeft) {
+  MachineWorld world;
+  world.grid.apply(0.05, SyntheticRoom().solid(4.3, 1.0, 4.7, 3.0, 0.0, 0.5).cells());
+  for (int i = 0; i < 8000 && !world.said("trying again"); ++i) world.tick();
+  ASSERT_TRUE(world.said("trying again"));
+  EXPECT_EQ(world.map.doors[0].kind, DoorKind::kUnresolved);
+  const double yaw_rad = world.pose.yaw_rad;
+  ASSERT_TRUE(world.run_until(ExplorationPhase::kScanning, 60));
+  EXPECT_NEAR(std::abs(wrap_to_pi(world.pose.yaw_rad - yaw_rad)), kPi, 0.1) << "it looks behind itself first";
+  world.grid.apply(0.05, SyntheticRoom().free(4.3, 1.0, 4.7, 3.0, 0.0, 0.5).cells());
+  EXPECT_TRUE(world.run_until(ExplorationPhase::kEntering, 200));
+}
+
+TEST(ExplorationDoors, LooksBehindItselfWhereTheWayToADoorIsBarred) {
+  MachineWorld world;
+  ASSERT_TRUE(world.run_until(ExplorationPhase::kFixing, 200));
+  // Someone left a trail in the grid all round the robot.
+  const Point2 p = world.pose.translation();
+  for (const auto [x, y, w, h] : {std::array{-0.6, -0.6, 1.2, 0.1}, std::array{-0.6, 0.5, 1.2, 0.1},
+                                  std::array{-0.6, -0.6, 0.1, 1.2}, std::array{0.5, -0.6, 0.1, 1.2}}) {
+    world.grid.apply(
+        0.05, SyntheticRoom().solid(p.x() + x, p.y() + y, p.x() + x + w, p.y() + y + h, 0.0, 0.5).cells());
+  }
+  const double yaw_rad = world.pose.yaw_rad;
+  for (int i = 0; i < 400 && !world.said("there is no way to it"); ++i) world.tick();
+  ASSERT_TRUE(world.said("there is no way to it"));
+  ASSERT_TRUE(world.run_until(ExplorationPhase::kScanning, 60));
+  EXPECT_NEAR(std::abs(wrap_to_pi(world.pose.yaw_rad - yaw_rad)), kPi, 0.1);
+  EXPECT_FALSE(world.said("no other door is left")) << "it does so before it gives the door up";
+}
+
+TEST(ExplorationDoors, LooksIntoAGapThatIsWiderThanADoorBeforeItFixesTheRoom) {
+  MachineWorld world;
+  world.estimate.doors[0].gap = {.wall = 0, .from_m = 0.9, .to_m = 3.1};
+  std::optional<Pose2> nearest;
+  for (int i = 0; i < 6000 && world.machine.state().phase != ExplorationPhase::kFixing; ++i) {
+    world.tick();
+    const bool facing = std::abs(world.pose.yaw_rad) < 0.1;
+    if (facing && world.motor.phase == SweepPhase::kSweeping && world.pose.x_m > 3.2) nearest = world.pose;
+  }
+  EXPECT_EQ(world.machine.state().phase, ExplorationPhase::kFixing);
+  EXPECT_TRUE(nearest);
+}
+
+TEST(ExplorationDoors, LooksFromInFrontIntoAGapThatMayBeADoorBeforeItFixesTheRoom) {
+  MachineWorld world;
+  world.estimate.doors[0].state = DoorState::kPossible;
+  bool looked = false;
+  for (int i = 0; i < 6000 && world.machine.state().phase != ExplorationPhase::kFixing; ++i) {
+    world.tick();
+    looked = looked || (world.motor.phase == SweepPhase::kSweeping && std::abs(world.pose.yaw_rad) < 0.1 &&
+                        world.pose.x_m > 3.0 && std::abs(world.pose.y_m - 2.0) < 0.3);
+  }
+  EXPECT_EQ(world.machine.state().phase, ExplorationPhase::kFixing);
+  EXPECT_TRUE(looked);
+}
+
+TEST(ExplorationDoors, SomeoneInTheDoorSendsItBackAndTheDoorIsBlocked) {
+  MachineWorld world;
+  ASSERT_TRUE(world.run_until(ExplorationPhase::kCrossing, 200));
+  for (int i = 0; i < 40; ++i) world.tick();
+  // Stands still while the robot faces the door; behind the robot it is free.
+  world.points.points = {{0.3F, 0.0F, 0.6F}};
+  for (int i = 0; i < 400 && !world.said("going back"); ++i) world.tick();
+  ASSERT_TRUE(world.said("going back"));
+  world.points.points.clear();
+  EXPECT_TRUE(world.run_until(ExplorationPhase::kScanning, 60));
+  EXPECT_LT(world.pose.x_m, 3.6);
+  EXPECT_FALSE(world.asked_to_enter);
+}
+
+}  // namespace
+}  // namespace enfilade::explorer
