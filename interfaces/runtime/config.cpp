@@ -2,35 +2,31 @@
 #include "interfaces/runtime/config.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <limits>
-#include <sstream>
+#include <stdexcept>
 
 #include <yaml-cpp/yaml.h>
 
 #include "interfaces/runtime/nearest.hpp"
+#include "interfaces/runtime/read_file.hpp"
 #include "interfaces/runtime/yaml_binder.hpp"
 
 namespace enfilade {
 namespace {
 
-std::string read_file(const std::string& file) {
-  errno = 0;
-  std::ifstream stream(file);
-  std::ostringstream content;
-  if (stream.peek() != std::ifstream::traits_type::eof()) content << stream.rdbuf();
-  if (stream.is_open() && !stream.bad()) return content.str();
-  const char* why = errno != 0 ? std::strerror(errno) : "it cannot be read";
-  throw ConfigError(file + ": " + why + ", give a configuration file that can be read");
+std::string read_configuration(const std::string& file) {
+  try {
+    return read_file(file);
+  } catch (const std::runtime_error& error) {
+    throw ConfigError(error.what());
+  }
 }
 
 /// The file's one map, or null.
 YAML::Node parse(const std::string& file) {
   std::vector<YAML::Node> documents;
   try {
-    documents = YAML::LoadAll(read_file(file));
+    documents = YAML::LoadAll(read_configuration(file));
   } catch (const YAML::Exception& e) {
     throw ConfigError(file + ":" + std::to_string(e.mark.line + 1) + ": this is not YAML (" + e.msg +
                       "), mend the line");
@@ -54,16 +50,19 @@ void add_override(const std::string& text, ConfigReading& reading) {
   }
 }
 
-std::string unknown_key(const std::string& key, const std::vector<std::string>& known) {
-  const auto nearest = find_nearest(key, known);
-  return "there is no such key, " + (nearest ? "did you mean " + *nearest + "?" : std::string("remove it"));
+std::string unknown_key(const std::string& key, const ConfigReading& reading, const std::string& prefix,
+                        const std::string& otherwise) {
+  const auto nearest = find_nearest(key, reading.known);
+  return "there is no such key, " + (nearest ? "did you mean " + prefix + *nearest + "?" : otherwise);
 }
 
 void report_unknown(ConfigReading& reading) {
-  for (const auto& [line, key] : reading.unknown) reading.at_line(line, key, unknown_key(key, reading.known));
+  for (const auto& [line, key] : reading.unknown)
+    reading.at_line(line, key, unknown_key(key, reading, "", "remove it"));
   for (const auto& [key, value] : reading.overrides) {
     if (std::ranges::find(reading.known, key) == reading.known.end()) {
-      reading.in_override(key, unknown_key(key, reading.known));
+      reading.in_override(
+          key, unknown_key(key, reading, reading.prefix, "choose one of those in " + reading.file));
     }
   }
 }
@@ -80,11 +79,12 @@ void throw_if_wrong(ConfigReading& reading) {
 
 }  // namespace
 
-std::string load_config(const std::string& file, const ConfigOverrides& overrides,
+std::string load_config(const std::string& file, const ConfigOverrides& overrides, const std::string& prefix,
                         const std::function<void(ConfigBinder&)>& bind_all) {
   const YAML::Node root = parse(file);
   ConfigReading reading;
   reading.file = file;
+  reading.prefix = prefix;
   for (const std::string& text : overrides) add_override(text, reading);
   reading.resolved << YAML::BeginMap;
   YamlBinder binder(reading, root, "");

@@ -69,16 +69,18 @@ inline void bind(ConfigBinder& c, PeriodConfig& period) {
 
 /// Reads `file` (YAML) into a binder that `bind_all` fills fields through, applies `overrides`, and throws
 /// ConfigError naming every problem at once. Returns the resolved configuration as YAML text, for the log.
-std::string load_config(const std::string& file, const ConfigOverrides& overrides,
+/// `prefix` is what stood before each override's key on the command line ("roomDetector."), for the errors.
+std::string load_config(const std::string& file, const ConfigOverrides& overrides, const std::string& prefix,
                         const std::function<void(ConfigBinder&)>& bind_all);
 
 /// Every component declares `struct XConfig` with a member `PeriodConfig period` and a free function
 /// `bind(ConfigBinder&, XConfig&)`.
 template <class Config>
 Config load_config(const std::string& file, const ConfigOverrides& overrides = {},
-                   std::string* resolved = nullptr) {
+                   std::string* resolved = nullptr, const std::string& prefix = "") {
   Config config;
-  const std::string text = load_config(file, overrides, [&config](ConfigBinder& c) { bind(c, config); });
+  const std::string text =
+      load_config(file, overrides, prefix, [&config](ConfigBinder& c) { bind(c, config); });
   if (resolved) *resolved = text;
   return config;
 }

@@ -15,6 +15,7 @@
 #include <malloc.h>
 #include <unistd.h>
 
+#include "interfaces/model/counted.hpp"
 #include "interfaces/runtime/command_line.hpp"
 #include "interfaces/runtime/component.hpp"
 #include "interfaces/runtime/component_log.hpp"
@@ -136,7 +137,7 @@ class Process {
   void report_dropped() {
     const std::uint64_t dropped = executor_.dropped() + bus_->dropped();
     if (dropped == reported_dropped_) return;
-    log_.warn("too slow: " + std::to_string(dropped - reported_dropped_) + " messages dropped");
+    log_.warn("too slow: " + counted(dropped - reported_dropped_, "message") + " dropped");
     reported_dropped_ = dropped;
   }
 

@@ -29,10 +29,11 @@ struct ConfigReading {
     problems.push_back({line, file + ":" + std::to_string(line) + ": " + key + ": " + what});
   }
   void in_override(const std::string& key, const std::string& what) {
-    problems.push_back({0, "--set " + key + ": " + what});
+    problems.push_back({0, "--set " + prefix + key + ": " + what});
   }
 
   std::string file;
+  std::string prefix;                            ///< of the overrides' keys on the command line
   std::map<std::string, std::string> overrides;  ///< by dotted key
   std::vector<Problem> problems;
   std::vector<Unknown> unknown;    ///< keys of the file that nobody asked for

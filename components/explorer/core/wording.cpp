@@ -26,10 +26,6 @@ std::string compass(double yaw_rad) {
 
 std::string place_of(const Point2& p) { return "(" + decimal(p.x(), 1) + ", " + decimal(p.y(), 1) + ")"; }
 
-std::string counted(long n, const std::string& thing) {
-  return std::to_string(n) + " " + thing + (n == 1 ? "" : "s");
-}
-
 std::string summary(const RoomEstimate& estimate) {
   return size_of(estimate.rectangle) + ", " + counted(count_open_doors(estimate), "door") + ", " +
          decimal(100.0 * estimate.unexplored_wall_share, 0) + " % of the walls unseen";

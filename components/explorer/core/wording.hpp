@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "interfaces/model/counted.hpp"
 #include "interfaces/model/room.hpp"
 
 namespace enfilade::explorer {
@@ -15,8 +16,6 @@ std::string size_of(const Rectangle& r);
 std::string compass(double yaw_rad);
 /// "(1.2, 0.4)".
 std::string place_of(const Point2& p);
-/// "1 door", "2 doors".
-std::string counted(long n, const std::string& thing);
 /// "3.19 × 3.78 m, 2 doors, 12 % of the walls unseen".
 std::string summary(const RoomEstimate& estimate);
 

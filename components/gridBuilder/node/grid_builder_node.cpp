@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "components/gridBuilder/core/known_walls.hpp"
+#include "interfaces/model/counted.hpp"
 
 namespace enfilade::grid_builder {
 namespace {
@@ -73,7 +74,7 @@ void GridBuilderNode::compute() {
   publish_zone_frame();
   if (lines_.overflowed() == overflow_told_) return;
   context_.log.warn(
-      std::to_string(lines_.overflowed() - overflow_told_) + " scan lines dropped: " +
+      counted(lines_.overflowed() - overflow_told_, "scan line") + " dropped: " +
       (origin_base_ ? "no odometry covers them" : "no transform base_link -> laser on rt/tf_static"));
   overflow_told_ = lines_.overflowed();
 }

@@ -1,25 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "components/laser3D/node/cloud_replay.hpp"
 
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 
 #include "components/laser3D/node/frames.hpp"
 #include "interfaces/geometry/angles.hpp"
+#include "interfaces/model/counted.hpp"
+#include "interfaces/runtime/read_file.hpp"
 
 namespace enfilade::laser_3d {
 namespace {
 
-FileBytes read_file(const std::string& name) {
+FileBytes bytes_of(const std::string& name) {
   if (name.empty())
     throw std::runtime_error("driver is 'replay' but replay.file is empty: name a .pcd or .3d file");
-  std::ifstream in(name, std::ios::binary);
-  if (!in) throw std::runtime_error(name + ": cannot be opened; replay.file must name a .pcd or .3d file");
-  std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  if (in.bad() || bytes.empty()) throw std::runtime_error(name + ": nothing can be read from it");
-  return {name, std::move(bytes)};
+  return {name, read_file(name)};
 }
 
 std::string two_decimals(double value) {
@@ -35,7 +31,7 @@ CloudReplay::CloudReplay(const NodeContext& context, const ReplayConfig& config)
 
 void CloudReplay::start(const Publisher<PointCloud>& points, const Publisher<PointCloud>& points_free,
                         const Publisher<TransformList>& tf_static) {
-  const FileBytes file = read_file(config_.file);
+  const FileBytes file = bytes_of(config_.file);
   auto cloud = make_replay_cloud(config_.cloud, read_points(file));
   if (!cloud)
     throw std::runtime_error(file.name +
@@ -46,7 +42,7 @@ void CloudReplay::start(const Publisher<PointCloud>& points, const Publisher<Poi
   opened_ns_ = context_.clock.now_ns();
   context_.log.info("replay of " + file.name + ": floor " + two_decimals(cloud_.scanner_height_m) +
                     " m below the scanner, which leaned by " + two_decimals(degrees(cloud_.tilt_rad)) +
-                    " degrees; " + std::to_string(cloud_.points) + " points to play, " +
+                    " degrees; " + counted(cloud_.points, "point") + " to play, " +
                     std::to_string(cloud_.near_floor) + " near the floor as free space");
   tf_static.publish(mount_transform(opened_ns_, 0.0, 0.0, cloud_.scanner_height_m));
   context_.executor.every(from_seconds(config_.line_period_s / config_.rate), [this] { step(); });
@@ -71,8 +67,8 @@ void CloudReplay::step() {
 
 void CloudReplay::finish() {
   finished_ = true;
-  context_.log.info("replay finished: " + std::to_string(cloud_.points) + " points in " +
-                    std::to_string(cloud_.lines.size()) + " lines");
+  context_.log.info("replay finished: " + counted(cloud_.points, "point") + " in " +
+                    counted(cloud_.lines.size(), "line"));
 }
 
 }  // namespace enfilade::laser_3d

@@ -7,6 +7,7 @@
 
 #include "components/laser3D/node/frames.hpp"
 #include "components/laser3D/node/simulator_scan_driver.hpp"
+#include "interfaces/model/counted.hpp"
 
 namespace enfilade::laser_3d {
 
@@ -98,8 +99,8 @@ void Laser3DNode::publish(const RolledLine& line) {
 
 void Laser3DNode::warn_of_dropped_lines() {
   if (queue_.dropped() == dropped_told_) return;
-  context_.log.warn(std::to_string(queue_.dropped() - dropped_told_) +
-                    " scan lines dropped: the roll angle was not known for them");
+  context_.log.warn(counted(queue_.dropped() - dropped_told_, "scan line") +
+                    " dropped: the roll angle was not known for them");
   dropped_told_ = queue_.dropped();
 }
 

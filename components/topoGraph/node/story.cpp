@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <vector>
 
+#include "interfaces/model/counted.hpp"
+
 namespace enfilade::topo_graph {
 namespace {
 
@@ -86,8 +88,8 @@ std::string tell(const ObserveOutcome& outcome, const TopologicalMap& map) {
 }
 
 std::string tell_resumed(const TopoState& state) {
-  return "resumed in " + name("zone", state.session.zone.zone_id) +
-         print(" with %zu rooms and %zu doors", state.map.rooms.size(), state.map.doors.size());
+  return "resumed in " + name("zone", state.session.zone.zone_id) + " with " +
+         counted(state.map.rooms.size(), "room") + " and " + counted(state.map.doors.size(), "door");
 }
 
 }  // namespace enfilade::topo_graph

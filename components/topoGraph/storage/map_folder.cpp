@@ -19,6 +19,8 @@ std::optional<std::string> read_if_there(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   std::error_code error;
   if (!in && !fs::exists(path, error)) return std::nullopt;
+  if (fs::is_directory(path, error))
+    throw MapFileError(path.string() + ": is a folder; name the map file in it");
   if (!in) throw MapFileError(path.string() + ": cannot be opened; check that it may be read");
   if (const auto bytes = fs::file_size(path, error); !error && bytes > kMostMapBytes)
     throw MapFileError(path.string() + ": is larger than any map; check the name");

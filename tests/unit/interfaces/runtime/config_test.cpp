@@ -36,15 +36,17 @@ struct ConfigTest : testing::Test {
   void SetUp() override { std::filesystem::create_directories(folder); }
   void TearDown() override { std::filesystem::remove_all(folder); }
 
-  SampleConfig load(const std::string& text, const ConfigOverrides& overrides = {}) {
+  SampleConfig load(const std::string& text, const ConfigOverrides& overrides = {},
+                    const std::string& prefix = "") {
     std::ofstream(file) << text;
-    return load_config<SampleConfig>(file, overrides, &resolved);
+    return load_config<SampleConfig>(file, overrides, &resolved, prefix);
   }
 
   /// The lines of the error, "FILE" standing for the file's path.
-  std::string problems(const std::string& text, const ConfigOverrides& overrides = {}) {
+  std::string problems(const std::string& text, const ConfigOverrides& overrides = {},
+                       const std::string& prefix = "") {
     try {
-      load(text, overrides);
+      load(text, overrides, prefix);
     } catch (const ConfigError& e) {
       std::string what = e.what();
       for (std::size_t at; (at = what.find(file)) != std::string::npos;)
@@ -156,6 +158,13 @@ TEST_F(ConfigTest, OverridesAreCheckedLikeTheFile) {
             "--set period: is a group of keys, set one of these\n"
             "--set step_m: 7 is out of range, write a number from 0.01 to 1\n"
             "--set compute_s: there is no such key, did you mean period.compute_s?");
+}
+
+TEST_F(ConfigTest, OverridesAreNamedAsTheyWereGiven) {
+  EXPECT_EQ(problems("", {"vots=1", "step_m=7", "nope=1"}, "explorer."),
+            "--set explorer.step_m: 7 is out of range, write a number from 0.01 to 1\n"
+            "--set explorer.nope: there is no such key, choose one of those in FILE\n"
+            "--set explorer.vots: there is no such key, did you mean explorer.votes?");
 }
 
 TEST_F(ConfigTest, TheResolvedTextHoldsEveryKeyAndReadsBackTheSame) {
