@@ -20,6 +20,7 @@ from support import run
 CORE = "{http://www.opengis.net/indoorgml/1.0/core}"
 GML = "{http://www.opengis.net/gml/3.2}"
 XLINK = "{http://www.w3.org/1999/xlink}"
+XSI = "{http://www.w3.org/2001/XMLSchema-instance}"
 FEATURE = "(gml:name )*(gml:boundedBy )?"
 # Of indoorgmlcore.xsd 1.0.2: which children an element has, in which order.
 CHILDREN = {
@@ -85,8 +86,11 @@ class Exports(unittest.TestCase):
         self.map.write_text(square_of_rooms())
 
     def export(self, form, *more):
-        out = self.folder / f"out.{form}"
-        result = run("map", "export", self.map, "--format", form, "--out", out, *more)
+        return self.export_to(f"out.{form}", "--format", form, *more)
+
+    def export_to(self, name, *more):
+        out = self.folder / name
+        result = run("map", "export", self.map, "--out", out, *more)
         self.assertEqual(result.returncode, 0, result.stderr)
         return out
 
@@ -109,6 +113,14 @@ class MapExports(Exports):
             self.assertEqual([grey(0, 0), grey(2.1, 1.5), grey(2.1, -0.5), grey(-2.25, -1.8)], [254, 0, 254, 205], form)
             pictures.append(image.tobytes())
         self.assertEqual(*pictures)
+
+    def test_the_ending_of_the_file_tells_the_format(self):
+        for name, form in [("a.gml", "indoorgml"), ("a.indoorgml", "indoorgml"), ("a.json", "geojson"), ("a.GeoJSON", "geojson"),
+                           ("a.graphml", "graphml"), ("a.SVG", "svg"), ("a.BT", "bt"), ("a.pgm", "pgm")]:
+            self.assertEqual(self.export_to(name).read_bytes(), self.export(form).read_bytes(), name)
+        for name in ("b.yaml", "c.yml"):
+            told = yaml.safe_load(self.export_to(name).read_text())
+            self.assertEqual((self.folder / told["image"]).read_bytes(), self.export("pgm").read_bytes(), name)
 
     def test_octomap(self):
         """By octomap's own tool: the occupied voxels, as boxes of VRML."""
@@ -199,6 +211,14 @@ class IndoorGml(Exports):
     def all(self, kind):
         return list(self.root.iter(CORE + kind))
 
+    def test_the_root_is_what_readers_look_for(self):
+        """By its name without a prefix, as the conformance test of OGC does."""
+        root = self.read()
+        self.assertEqual(root.tag, CORE + "IndoorFeatures")
+        self.assertRegex((self.folder / "out.indoorgml").read_text(), r"(?m)^<IndoorFeatures ")
+        space, schema = root.get(XSI + "schemaLocation").split()
+        self.assertEqual((f"{{{space}}}", schema), (CORE, "http://schemas.opengis.net/indoorgml/1.0/indoorgmlcore.xsd"))
+
     def test_elements_are_those_of_the_schema_in_its_order(self):
         for element in self.read().iter():
             children = "".join(name_of(child) + " " for child in element)
@@ -212,6 +232,12 @@ class IndoorGml(Exports):
         self.assertEqual(set(ids), set(self.by_id))
         for name in ids:
             self.assertRegex(name, r"^[A-Za-z_][\w.-]*$")  # xs:ID
+
+    def test_every_link_leads_to_something_in_the_file(self):
+        links = [e.get(XLINK + "href") for e in self.read().iter() if e.get(XLINK + "href")]
+        self.assertEqual(len(links), 2 * 4 + 2 * 4 + 4 * 2 + 4 * 2 + 4 * 2)
+        self.assertEqual({link[0] for link in links}, {"#"})
+        self.assertLessEqual({link[1:] for link in links}, set(self.by_id))
 
     def test_links_lead_from_cells_to_states_and_from_boundaries_to_transitions_and_back(self):
         self.read()
@@ -229,6 +255,7 @@ class IndoorGml(Exports):
             states = self.linked(transition, "connects")
             self.assertEqual([name_of(s) for s in states], ["State", "State"])
             self.assertIsNot(*states)
+            self.assertGreater(float(transition.find(CORE + "weight").text), 0)
             boundary, = self.linked(transition, "duality")
             for state in states:
                 self.assertIn(transition, self.linked(state, "connects"))
@@ -236,11 +263,32 @@ class IndoorGml(Exports):
                 self.assertIn(boundary, self.linked(cell, "partialboundedBy"))
         self.assertEqual(sum(len(self.linked(s, "connects")) for s in self.all("State")), 8)
 
-    def test_geometry_is_planar_closed_and_where_the_rooms_are(self):
+    def test_coordinates_are_local(self):
+        """GML 3.2 allows the labels of axes and units only beside the name of a reference system."""
         self.read()
         for kind in ("Polygon", "LineString", "Point", "Envelope"):
             for geometry in self.root.iter(GML + kind):
-                self.assertEqual(geometry.get("srsDimension"), "2", kind)
+                self.assertEqual({k: v for k, v in geometry.attrib.items() if "id" not in k}, {"srsDimension": "2"}, kind)
+
+    def test_geometry_is_closed_turns_left_and_lies_within_the_bounds_whichever_way_rooms_lie(self):
+        turned = self.map.read_text().replace("y_m: 4.2, yaw_rad: 0", "y_m: 4.2, yaw_rad: 0.7")
+        outline = "    polygon_m: [[-2, -2], [-2, 2], [2, 2], [2, -2]]\n"  # clockwise
+        self.map.write_text(turned.replace("    width_m: 4\n    height_m: 4\n", "    width_m: 4\n    height_m: 4\n" + outline, 1))
+        self.read()
+        low, high = ([float(v) for v in self.root.find(f".//{GML}{corner}").text.split()] for corner in ("lowerCorner", "upperCorner"))
+        for kind in ("Polygon", "LineString", "Point"):
+            for geometry in self.root.iter(GML + kind):
+                line = positions(geometry)
+                self.assertFalse([a for a, b in zip(line, line[1:]) if a == b], "the same point twice in a row")
+                for point in line:
+                    self.assertTrue(all(a <= p <= b for a, p, b in zip(low, point, high)), point)
+        for cell in self.all("CellSpace"):
+            ring = positions(cell)
+            self.assertEqual(ring[0], ring[-1])
+            self.assertAlmostEqual(area_of(ring), 16.0, 4)
+
+    def test_geometry_is_planar_closed_and_where_the_rooms_are(self):
+        self.read()
         self.assertEqual({len(p) for p in positions(self.root)}, {2})
         for cell in self.all("CellSpace"):
             ring = positions(cell)

@@ -16,8 +16,9 @@ std::string gml_coordinates(const Point2& p) {
 
 std::string gml_pos(const Point2& p) { return "<gml:pos>" + gml_coordinates(p) + "</gml:pos>"; }
 
-/// Coordinates are local, in metres: no reference system has a name for them.
-constexpr const char* kPlanar = "srsDimension=\"2\" axisLabels=\"x y\" uomLabels=\"m m\"";
+/// Coordinates are local, in metres: no reference system has a name for them, and without srsName GML forbids
+/// axisLabels and uomLabels.
+constexpr const char* kPlanar = "srsDimension=\"2\"";
 
 std::string gml_bounds(const TopologicalMap& map) {
   if (map.rooms.empty()) return "";
@@ -53,45 +54,45 @@ std::string cell_space(const TopologicalMap& map, const Room& room) {
   for (const Point2& p : outline) ring += gml_pos(p);
   ring += gml_pos(outline.front());
   return fmt::format(
-             "      <core:cellSpaceMember>\n       <core:CellSpace gml:id=\"cell{0}\">\n"
+             "      <cellSpaceMember>\n       <CellSpace gml:id=\"cell{0}\">\n"
              "        <gml:name>{1}</gml:name>\n"
-             "        <core:cellSpaceGeometry><core:Geometry2D><gml:Polygon "
+             "        <cellSpaceGeometry><Geometry2D><gml:Polygon "
              "gml:id=\"polygon{0}\" {3}><gml:exterior>"
-             "<gml:LinearRing>{2}</gml:LinearRing></gml:exterior></gml:Polygon></core:Geometry2D>"
-             "</core:cellSpaceGeometry>\n        <core:duality xlink:href=\"#state{0}\"/>\n",
+             "<gml:LinearRing>{2}</gml:LinearRing></gml:exterior></gml:Polygon></Geometry2D>"
+             "</cellSpaceGeometry>\n        <duality xlink:href=\"#state{0}\"/>\n",
              room.id, exports::xml(exports::room_name(room)), ring, kPlanar) +
          for_transitions(map, room,
                          [](const Door& door) {
-                           return fmt::format("        <core:partialboundedBy xlink:href=\"#boundary{}\"/>\n",
+                           return fmt::format("        <partialboundedBy xlink:href=\"#boundary{}\"/>\n",
                                               door.id);
                          }) +
-         "       </core:CellSpace>\n      </core:cellSpaceMember>\n";
+         "       </CellSpace>\n      </cellSpaceMember>\n";
 }
 
 std::string boundary(const TopologicalMap& map, const Door& door) {
   const Segment face = segment_in_map(*map.find_room(door.face.room), door.face);
   return fmt::format(
-      "      <core:cellSpaceBoundaryMember>\n       <core:CellSpaceBoundary gml:id=\"boundary{0}\">\n"
-      "        <core:duality xlink:href=\"#transition{0}\"/>\n"
-      "        <core:cellSpaceBoundaryGeometry><core:geometry2D>{1}</core:geometry2D>"
-      "</core:cellSpaceBoundaryGeometry>\n       </core:CellSpaceBoundary>\n      "
-      "</core:cellSpaceBoundaryMember>\n",
+      "      <cellSpaceBoundaryMember>\n       <CellSpaceBoundary gml:id=\"boundary{0}\">\n"
+      "        <duality xlink:href=\"#transition{0}\"/>\n"
+      "        <cellSpaceBoundaryGeometry><geometry2D>{1}</geometry2D>"
+      "</cellSpaceBoundaryGeometry>\n       </CellSpaceBoundary>\n      "
+      "</cellSpaceBoundaryMember>\n",
       door.id, gml_line(fmt::format("opening{}", door.id), {face.from, face.to}));
 }
 
 std::string state(const TopologicalMap& map, const Room& room) {
   return fmt::format(
-             "         <core:stateMember>\n          <core:State gml:id=\"state{0}\">\n"
-             "           <gml:name>{1}</gml:name>\n           <core:duality xlink:href=\"#cell{0}\"/>\n",
+             "         <stateMember>\n          <State gml:id=\"state{0}\">\n"
+             "           <gml:name>{1}</gml:name>\n           <duality xlink:href=\"#cell{0}\"/>\n",
              room.id, exports::xml(exports::room_name(room))) +
          for_transitions(map, room,
                          [](const Door& door) {
-                           return fmt::format("           <core:connects xlink:href=\"#transition{}\"/>\n",
+                           return fmt::format("           <connects xlink:href=\"#transition{}\"/>\n",
                                               door.id);
                          }) +
          fmt::format(
-             "           <core:geometry><gml:Point gml:id=\"point{}\" {}>{}</gml:Point></core:geometry>\n"
-             "          </core:State>\n         </core:stateMember>\n",
+             "           <geometry><gml:Point gml:id=\"point{}\" {}>{}</gml:Point></geometry>\n"
+             "          </State>\n         </stateMember>\n",
              room.id, kPlanar, gml_pos(room.T_map_room.translation()));
 }
 
@@ -102,22 +103,22 @@ std::string transition(const TopologicalMap& map, const Door& door) {
                {map.find_room(a)->T_map_room.translation(), exports::middle(map, door.face),
                 exports::middle(map, *door.other_face), map.find_room(b)->T_map_room.translation()});
   return fmt::format(
-      "         <core:transitionMember>\n          <core:Transition gml:id=\"transition{0}\">\n"
-      "           <gml:name>door {0}</gml:name>\n           <core:weight>{1:.6f}</core:weight>\n"
-      "           <core:connects xlink:href=\"#state{2}\"/>\n           <core:connects "
+      "         <transitionMember>\n          <Transition gml:id=\"transition{0}\">\n"
+      "           <gml:name>door {0}</gml:name>\n           <weight>{1:.6f}</weight>\n"
+      "           <connects xlink:href=\"#state{2}\"/>\n           <connects "
       "xlink:href=\"#state{3}\"/>\n"
-      "           <core:duality xlink:href=\"#boundary{0}\"/>\n           "
-      "<core:geometry>{4}</core:geometry>\n"
-      "          </core:Transition>\n         </core:transitionMember>\n",
+      "           <duality xlink:href=\"#boundary{0}\"/>\n           "
+      "<geometry>{4}</geometry>\n"
+      "          </Transition>\n         </transitionMember>\n",
       door.id, exports::walk_m(map, door), a, b, way);
 }
 
 std::string primal_space(const TopologicalMap& map) {
-  std::string out = "  <core:primalSpaceFeatures>\n    <core:PrimalSpaceFeatures gml:id=\"primal\">\n";
+  std::string out = "  <primalSpaceFeatures>\n    <PrimalSpaceFeatures gml:id=\"primal\">\n";
   for (const Room& room : map.rooms) out += cell_space(map, room);
   for (const Door& door : map.doors)
     if (is_transition(door)) out += boundary(map, door);
-  return out + "    </core:PrimalSpaceFeatures>\n  </core:primalSpaceFeatures>\n";
+  return out + "    </PrimalSpaceFeatures>\n  </primalSpaceFeatures>\n";
 }
 
 std::string space_layer(const TopologicalMap& map) {
@@ -125,29 +126,32 @@ std::string space_layer(const TopologicalMap& map) {
   for (const Room& room : map.rooms) states += state(map, room);
   for (const Door& door : map.doors)
     if (is_transition(door)) transitions += transition(map, door);
-  std::string out = "        <core:nodes gml:id=\"nodes\">\n" + states + "        </core:nodes>\n";
-  if (!transitions.empty())
-    out += "        <core:edges gml:id=\"edges\">\n" + transitions + "        </core:edges>\n";
+  std::string out = "        <nodes gml:id=\"nodes\">\n" + states + "        </nodes>\n";
+  if (!transitions.empty()) out += "        <edges gml:id=\"edges\">\n" + transitions + "        </edges>\n";
   return out;
 }
 
 std::string gml_graph(const TopologicalMap& map) {
   if (map.rooms.empty()) return "";  // a layer has at least one state
-  return "  <core:multiLayeredGraph>\n    <core:MultiLayeredGraph gml:id=\"graph\">\n"
-         "     <core:spaceLayers gml:id=\"layers\">\n      <core:spaceLayerMember>\n"
-         "       <core:SpaceLayer gml:id=\"rooms\">\n" +
+  return "  <multiLayeredGraph>\n    <MultiLayeredGraph gml:id=\"graph\">\n"
+         "     <spaceLayers gml:id=\"layers\">\n      <spaceLayerMember>\n"
+         "       <SpaceLayer gml:id=\"rooms\">\n" +
          space_layer(map) +
-         "       </core:SpaceLayer>\n      </core:spaceLayerMember>\n     </core:spaceLayers>\n"
-         "    </core:MultiLayeredGraph>\n  </core:multiLayeredGraph>\n";
+         "       </SpaceLayer>\n      </spaceLayerMember>\n     </spaceLayers>\n"
+         "    </MultiLayeredGraph>\n  </multiLayeredGraph>\n";
 }
 
 }  // namespace
 
 std::string to_indoorgml(const TopologicalMap& map) {
+  // No prefix before the names of IndoorGML: OGC's own conformance test asks for a root called just so.
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-         "<core:IndoorFeatures gml:id=\"building\" xmlns:core=\"http://www.opengis.net/indoorgml/1.0/core\" "
-         "xmlns:gml=\"http://www.opengis.net/gml/3.2\" xmlns:xlink=\"http://www.w3.org/1999/xlink\">\n" +
-         gml_bounds(map) + primal_space(map) + gml_graph(map) + "</core:IndoorFeatures>\n";
+         "<IndoorFeatures gml:id=\"building\" xmlns=\"http://www.opengis.net/indoorgml/1.0/core\" "
+         "xmlns:gml=\"http://www.opengis.net/gml/3.2\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
+         "xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" "
+         "xsi:schemaLocation=\"http://www.opengis.net/indoorgml/1.0/core "
+         "http://schemas.opengis.net/indoorgml/1.0/indoorgmlcore.xsd\">\n" +
+         gml_bounds(map) + primal_space(map) + gml_graph(map) + "</IndoorFeatures>\n";
 }
 
 }  // namespace enfilade::topo_graph
