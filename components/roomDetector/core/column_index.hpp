@@ -10,7 +10,8 @@
 namespace enfilade::room_detector {
 
 /// Numbers by (x, y), in tiles of 16 × 16: neighbours are asked for one after the other, and most of them lie
-/// in the tile that was asked last.
+/// in the tile that was asked last. That tile is remembered by find(), too: const or not, one thread at a
+/// time.
 class ColumnIndex {
  public:
   static constexpr std::int32_t kNone = -1;

@@ -13,7 +13,8 @@ namespace enfilade::room_detector {
 
 /// What a wall pays where the grid has seen free space: a charge for each cell. Free cells near something
 /// occupied are noise of a wall and cost nothing. The least charge within a distance, by blocks of cells,
-/// bounds whole stretches of wall at once.
+/// bounds whole stretches of wall at once. least_within() keeps what it works out: const or not, one thread
+/// at a time.
 class FreeMap {
  public:
   /// Cells begin at multiples of `cell_m`; those within `reach_m` of `origin`, by each axis, are kept.
@@ -48,7 +49,8 @@ class FreeMap {
                      static_cast<std::size_t>(fixed_y >> shift)];
     }
   };
-  /// No more than any charge at most so far away along each axis. Valid until the map changes.
+  /// No more than any charge at most so far away along each axis. Valid until the map changes or another
+  /// distance is asked for.
   Least least_within(double distance_m) const;
 
  private:
