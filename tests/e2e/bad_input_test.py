@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Bad input ends in one sentence that names the file, line or key, a non-zero exit status, and nothing half-written."""
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -85,6 +86,71 @@ class BadInput(unittest.TestCase):
         blocked = self.file("blocked", "")
         self.assert_refused(run("run", PAPER_WORLD, "--quiet", "--max-sim-time", 1, "--json", blocked / "r.json"), "r.json")
 
+    def refuse_each(self, *commands):
+        """(arguments…, words…) each: one sentence with the words, and nothing written."""
+        before = sorted(p.name for p in self.folder.rglob("*"))
+        for arguments, words in commands:
+            with self.subTest(arguments=arguments):
+                result = run(*arguments, cwd=self.folder, timeout=60)
+                self.assertEqual(result.returncode, 2, result.stdout)
+                self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+                for word in words:
+                    self.assertIn(word, result.stderr)
+        self.assertEqual(sorted(p.name for p in self.folder.rglob("*")), before)
+
+    def test_unknown_verbs_and_options_are_named(self):
+        self.refuse_each((["nope"], ["nope"]), (["map", "nope"], ["nope"]), ([], ["--help"]), (["evaluate"], ["evaluate", "--help"]),
+                         (["run", PAPER_WORLD, "--bogus"], ["--bogus"]), (["demo", "--input", "a.pcd", "--world", "b"], ["--world"]))
+
+    def test_numbers_are_checked_as_they_are_written(self):
+        self.refuse_each((["run", PAPER_WORLD, "--seed", "-1"], ["--seed", "-1"]),
+                         (["run", PAPER_WORLD, "--seed", "99999999999"], ["--seed", "99999999999"]),
+                         (["run", PAPER_WORLD, "--max-sim-time", "nan"], ["--max-sim-time", "nan"]),
+                         (["run", PAPER_WORLD, "--max-sim-time", "1e400"], ["--max-sim-time", "1e400"]),
+                         (["demo", "--speed", "nan"], ["--speed", "nan", "0.05 to 100"]), (["demo", "--speed", "0"], ["0.05 to 100"]),
+                         (["room", "a.png", "--at", "nan,1"], ["--at", "nan"]),
+                         (["map", "export", "a.yaml", "--out", "a.svg", "--rooms", "-1"], ["--rooms", "-1"]),
+                         (["map", "mark", "a.yaml", "-1", "closed"], ["-1"]),
+                         (["evaluate", "perception", "--rooms", "many"], ["--rooms", "many"]),
+                         (["evaluate", "exploration", "--walkers", "nan"], ["--walkers", "nan"]),
+                         (["calibrate", "range", "--width", "nan"], ["--width", "nan"]))
+
+    def test_settings_are_named_as_they_were_given(self):
+        for verb in (["run", PAPER_WORLD], ["demo", "--domain", str(free_domain())], ["room", "a.png"], ["evaluate", "latency"]):
+            self.refuse_each(([*verb, "--set", "roomDetector.nope=1"], ["roomDetector.nope", "etc/roomDetector.yaml"]),
+                             ([*verb, "--set", "roomDetector.step_mm=1"], ["roomDetector.step_mm", "did you mean roomDetector.step_m?"]),
+                             ([*verb, "--set", "roomDetector.step_m=9"], ["roomDetector.step_m", "0.02 to 0.5"]),
+                             ([*verb, "--set", "detector.step_m=1"], ["detector", "roomDetector"]),
+                             ([*verb, "--set", "step_m=1"], ["COMPONENT.KEY=VALUE"]))
+
+    def test_files_that_hold_nothing_are_named(self):
+        (self.folder / "folder").mkdir()
+        self.file("empty", "")
+        self.file("empty.pcd", "")
+        self.file("hello.yaml", "hello\n")
+        for file in ("none", "folder", "empty"):
+            self.refuse_each((["run", file], [file]), (["demo", "--world", file], [file]), (["evaluate", "latency", "--world", file], [file]),
+                             (["map", "show", file], [file]), (["evaluate", "maps", file], [file]))
+        for file in ("none.pcd", "folder", "empty.pcd"):
+            self.refuse_each((["demo", "--input", file], [file]), (["room", file], [file]), (["calibrate", "range", "--width", "3", file], [file]))
+        self.refuse_each((["run", "hello.yaml"], ["hello.yaml", "'rooms'", "'image'"]), (["room", "hello.yaml"], ["hello.yaml", "image"]))
+
+    def test_places_that_cannot_be_written_are_named_before_any_work(self):
+        (self.folder / "folder").mkdir()
+        self.file("file", "")
+        for verb in (["run", PAPER_WORLD], ["room", "a.png"], ["evaluate", "graph"], ["evaluate", "perception"]):
+            self.refuse_each(([*verb, "--json", "folder"], ["--json", "folder"]), ([*verb, "--json", "none/a.json"], ["none/a.json"]),
+                             ([*verb, "--json", ""], ["--json"]))
+        self.refuse_each((["run", PAPER_WORLD, "--out", "file/a"], ["--out", "file/a"]), (["demo", "--out", "file"], ["--out", "file"]),
+                         (["evaluate", "maps", ".", "--svg", "file"], ["--svg", "file"]))
+
+    def test_a_file_full_of_mistakes_is_not_told_to_the_end(self):
+        world = self.file("many.yaml", "".join(f"key_{i}: 1\n" for i in range(100)))
+        result = run("run", world)
+        self.assertEqual(result.returncode, 2)
+        self.assertLess(len(result.stderr.splitlines()), 12)
+        self.assertIn("more in this file", result.stderr)
+
     def test_second_instance_on_the_host_is_refused(self):
         arguments = [str(BIN / "topoGraph"), "--domain", str(free_domain())]
         with subprocess.Popen(arguments, stderr=subprocess.PIPE, text=True) as first:
@@ -95,6 +161,45 @@ class BadInput(unittest.TestCase):
                 first.terminate()
                 first.communicate(timeout=10)
             self.assertEqual(first.returncode, 0)
+
+
+class DemoScript(unittest.TestCase):
+    """deploy/demo refuses what is wrong before it installs or builds anything."""
+
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = Path(temporary.name)
+        (self.folder / "deploy").mkdir()
+        shutil.copy(SOURCE / "deploy/demo", self.folder / "deploy/demo")
+        install = self.folder / "deploy/install-deps"
+        install.write_text("#!/bin/sh\nexit 99\n")
+        install.chmod(0o755)
+        (self.folder / "scan.pcd").write_text("VERSION .7\n")
+        (self.folder / "empty.pcd").touch()
+
+    def demo(self, *arguments):
+        return subprocess.run([self.folder / "deploy/demo", *arguments], cwd=self.folder, capture_output=True, text=True, timeout=30,
+                              check=False)
+
+    def test_what_is_wrong_is_named_in_one_sentence(self):
+        for arguments, word in [(("--speed", "abc"), "abc"), (("--speed", "0"), "0.05 to 100"), (("--speed=1000",), "0.05 to 100"),
+                                (("--speed", "-1"), "-1"), (("--speed",), "value is missing"), (("--input", "nofile"), "nofile"),
+                                (("--input", "empty.pcd"), "empty.pcd"), (("--world", "/"), "--world /"), (("--sped", "2"), "--sped"),
+                                (("--seed", "-3"), "-3"), (("--seed", "1.5"), "1.5"), (("--domain", "300"), "300"),
+                                (("--out", "empty.pcd/a"), "empty.pcd/a"), (("--set", "step_m=2"), "COMPONENT.KEY=VALUE"),
+                                (("world.yaml",), "world.yaml")]:
+            with self.subTest(arguments=arguments):
+                result = self.demo(*arguments)
+                self.assertEqual(result.returncode, 2, result.stdout)
+                self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+                self.assertIn(word, result.stderr)
+
+    def test_what_is_right_goes_on_to_install_and_build(self):
+        for arguments in [(), ("--speed", ".5", "--seed", "7"), ("--input", "scan.pcd", "--out", "new/deep"), ("--speed=100",),
+                          ("--set", "explorer.door_attempts=2", "--domain", "0")]:
+            with self.subTest(arguments=arguments):
+                self.assertEqual(self.demo(*arguments).returncode, 99)
 
 
 class ShippedFiles(unittest.TestCase):

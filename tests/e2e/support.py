@@ -17,7 +17,7 @@ COMPONENTS = ["simulator", "motorControl", "laser3D", "gridBuilder", "roomDetect
 
 
 def run(*arguments, timeout=300, **more):
-    return subprocess.run([str(BIN / "enfilade"), *map(str, arguments)], capture_output=True, text=True,
+    return subprocess.run([str(BIN / "enfilade"), *(a if isinstance(a, bytes) else str(a) for a in arguments)], capture_output=True, text=True,
                           timeout=timeout, check=False, **more)
 
 

@@ -30,6 +30,8 @@ class Layering(unittest.TestCase):
             ("interfaces/geometry/a.hpp", '"interfaces/model/room.hpp"'),
             ("interfaces/bus/a.hpp", '"components/explorer/core/drive.hpp"'),
             ("tools/simulator/core/a.hpp", "<chrono>"),
+            ("tools/evaluate/maps/a.hpp", '"tools/enfilade/verbs/verbs.hpp"'),
+            ("tools/launch/a.hpp", '"tools/evaluate/graph/graph_evaluation.hpp"'),
         ]
         for path, include in wrong:
             with self.subTest(path=path, include=include):
@@ -44,6 +46,8 @@ class Layering(unittest.TestCase):
             ("components/explorer/node/a.hpp", '"interfaces/runtime/node.hpp"'),
             ("interfaces/dds/a.hpp", "<fastdds/dds/domain/DomainParticipant.hpp>"),
             ("tools/simulator/core/a.hpp", "<embree3/rtcore.h>"),
+            ("tools/enfilade/verbs/a.cpp", '"tools/evaluate/maps/map_evaluation.hpp"'),
+            ("tools/evaluate/maps/a.cpp", '"tools/draw/svg.hpp"'),
         ]
         for path, include in right:
             with self.subTest(path=path, include=include):

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "tools/enfilade/draw/figures.hpp"
-#include "tools/enfilade/draw/svg.hpp"
+#include "tools/draw/figures.hpp"
+#include "tools/draw/svg.hpp"
 
 namespace enfilade::draw {
 namespace {
@@ -66,15 +66,6 @@ void draw_robot(SvgCanvas& canvas, const Pose2& T_zone_base) {
               {.stroke = "#1565c0", .width_px = 2.0});
 }
 
-void draw_legend(SvgCanvas& canvas) {
-  const double y = canvas.height_px() - 14.0;
-  canvas.swatch(12.0, y, kWall, "wall");
-  canvas.swatch(84.0, y, kOpen, "door");
-  canvas.swatch(156.0, y, kPossible, "door?");
-  canvas.swatch(234.0, y, kUnexplored, "unseen");
-  canvas.scale_bar();
-}
-
 /// The points within the bounds, one a pixel.
 std::vector<Point2> visible_points(const std::vector<Point2>& points, const Bounds& bounds) {
   std::set<std::pair<int, int>> taken;
@@ -101,9 +92,8 @@ std::string draw_scan(const ScanFigure& figure) {
     size = fmt::format("{:.2f} × {:.2f} m", figure.estimate.rectangle.width_m,
                        figure.estimate.rectangle.height_m);
   }
-  canvas.label(12.0, 20.0, figure.title, {.size_px = 14.0, .anchor = "start", .bold = true});
-  canvas.label(12.0, 37.0, size, {.size_px = 12.0, .anchor = "start"});
-  draw_legend(canvas);
+  canvas.title(figure.title, size);
+  canvas.legend({{kWall, "wall"}, {kOpen, "door"}, {kPossible, "door?"}, {kUnexplored, "unseen"}});
   return canvas.str();
 }
 

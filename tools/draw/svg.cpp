@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/enfilade/draw/svg.hpp"
+#include "tools/draw/svg.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include <fmt/format.h>
 
 namespace enfilade::draw {
 namespace {
+
+constexpr double kMargin_px = 12.0;
+constexpr double kSwatch_px = 18.0;
+constexpr double kLegend_px = 11.0;
+constexpr double kRow_px = 16.0;
+constexpr double kShortestBar_px = 50.0;
+constexpr std::array kBars_m{1, 2, 5, 10, 20, 50, 100};
 
 std::string attributes(const Paint& paint) {
   std::string out = fmt::format(R"(fill="{}")", paint.fill.empty() ? "none" : paint.fill);
@@ -38,13 +47,18 @@ std::string text_element(const Point2& px, std::string_view text, const TextStyl
           ? fmt::format(R"svg( transform="rotate({:.3f} {:.2f} {:.2f})")svg", -style.turn_deg, px.x(), px.y())
           : "";
   return fmt::format(
-      R"(<text x="{:.2f}" y="{:.2f}" font-size="{:.3g}" fill="{}" text-anchor="{}"{}{}>{}</text>)"
+      R"(<text x="{:.2f}" y="{:.2f}" font-size="{:.3g}" fill="{}" text-anchor="{}"{}{}{}>{}</text>)"
       "\n",
       px.x(), px.y(), style.size_px, style.colour, style.anchor, style.bold ? R"( font-weight="bold")" : "",
-      turn, escaped(text));
+      style.centred ? R"( dy="0.35em")" : "", turn, escaped(text));
 }
 
 }  // namespace
+
+double text_width_px(std::string_view text, double size_px) {
+  const auto letters = std::ranges::count_if(text, [](unsigned char c) { return (c & 0xC0) != 0x80; });
+  return 0.62 * size_px * static_cast<double>(letters);
+}
 
 void Bounds::include(const Point2& p) {
   low = low.cwiseMin(p);
@@ -116,20 +130,48 @@ void SvgCanvas::label(double x_px, double y_px, std::string_view text, const Tex
   body_ += text_element({x_px, y_px}, text, style);
 }
 
-void SvgCanvas::swatch(double x_px, double y_px, const Paint& paint, std::string_view meaning) {
-  body_ += fmt::format(R"(<path d="M{:.1f} {:.1f}h18" {}/>)"
+void SvgCanvas::title(std::string_view text, std::string_view below) {
+  label(kMargin_px, 20.0, text, {.size_px = 14.0, .anchor = "start", .bold = true});
+  if (!below.empty()) label(kMargin_px, 37.0, below, {.size_px = 12.0, .anchor = "start"});
+}
+
+void SvgCanvas::swatch(double x_px, double y_px, const Swatch& swatch) {
+  body_ += fmt::format(R"(<path d="M{:.1f} {:.1f}h{:.0f}" {}/>)"
                        "\n",
-                       x_px, y_px, attributes(paint));
-  label(x_px + 24.0, y_px + 4.0, meaning, {.size_px = 11.0, .anchor = "start"});
+                       x_px, y_px, kSwatch_px, attributes(swatch.paint));
+  label(x_px + kSwatch_px + 6.0, y_px + 4.0, swatch.meaning, {.size_px = kLegend_px, .anchor = "start"});
+}
+
+void SvgCanvas::legend(const std::vector<Swatch>& swatches) {
+  const double end = width_px_ - scale_bar_m() * scale_ - 2.0 * kMargin_px;
+  std::vector<std::pair<double, int>> places;  // x and row
+  double x = kMargin_px;
+  int row = 0;
+  for (const Swatch& swatch : swatches) {
+    const double length = kSwatch_px + 6.0 + text_width_px(swatch.meaning, kLegend_px);
+    if (x > kMargin_px && x + length > end) x = kMargin_px, ++row;
+    places.emplace_back(x, row);
+    x += length + kMargin_px;
+  }
+  height_px_ += kRow_px * row;
+  for (std::size_t i = 0; i < swatches.size(); ++i)
+    swatch(places[i].first, height_px_ - 14.0 - kRow_px * (row - places[i].second), swatches[i]);
+  scale_bar();
+}
+
+int SvgCanvas::scale_bar_m() const {
+  const auto can_be_seen = [this](int metres) { return metres * scale_ >= kShortestBar_px; };
+  const auto shortest = std::ranges::find_if(kBars_m, can_be_seen);
+  return shortest == kBars_m.end() ? kBars_m.back() : *shortest;
 }
 
 void SvgCanvas::scale_bar() {
-  const double y = height_px_ - 16.0, x = width_px_ - 14.0 - scale_;
+  const double length = scale_bar_m() * scale_, y = height_px_ - 16.0, x = width_px_ - kMargin_px - length;
   body_ +=
       fmt::format(R"(<path d="M{0:.1f} {1:.1f}v6h{2:.1f}v-6" fill="none" stroke="#222" stroke-width="1.2"/>)"
                   "\n",
-                  x, y, scale_);
-  label(x + 0.5 * scale_, y, "1 m", {.size_px = 11.0});
+                  x, y, length);
+  label(x + 0.5 * length, y, fmt::format("{} m", scale_bar_m()), {.size_px = kLegend_px});
 }
 
 std::string SvgCanvas::str() const {

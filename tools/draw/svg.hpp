@@ -24,6 +24,16 @@ struct TextStyle {
   std::string anchor = "middle";  ///< start | middle | end
   double turn_deg = 0.0;          ///< counter-clockwise, as in the world
   bool bold = false;
+  bool centred = false;  ///< the point is the middle of the letters' height, not their foot
+};
+
+/// About how long `text` will be.
+double text_width_px(std::string_view text, double size_px);
+
+/// One entry of a legend.
+struct Swatch {
+  Paint paint;
+  std::string meaning;
 };
 
 /// Bounds of a drawing in metres.
@@ -54,9 +64,11 @@ class SvgCanvas {
             double shift_y_px = 0.0);
   /// In pixels from the upper left corner of the picture.
   void label(double x_px, double y_px, std::string_view text, const TextStyle& style);
-  void swatch(double x_px, double y_px, const Paint& paint, std::string_view meaning);
-  /// A bar of one metre at the lower right.
-  void scale_bar();
+  /// What is shown, in large letters, and one more line about it.
+  void title(std::string_view text, std::string_view below = "");
+  /// At the lower left what the paints mean, at the lower right a bar of one metre, or of as many as can be
+  /// seen.
+  void legend(const std::vector<Swatch>& swatches);
 
   double width_px() const { return width_px_; }
   double height_px() const { return height_px_; }
@@ -64,6 +76,9 @@ class SvgCanvas {
 
  private:
   Point2 to_px(const Point2& p) const;
+  void swatch(double x_px, double y_px, const Swatch& swatch);
+  int scale_bar_m() const;
+  void scale_bar();
 
   Bounds bounds_;
   double scale_;

@@ -10,7 +10,6 @@
 int main(int argc, char** argv) {
   std::setlocale(LC_NUMERIC, "C");
   CLI::App app("Enfilade: robots that understand buildings", "enfilade");
-  app.require_subcommand(1);
   app.failure_message(enfilade::usage_error);
   const std::vector<enfilade::Verb> verbs{enfilade::add_run(app),      enfilade::add_demo(app),
                                           enfilade::add_room(app),     enfilade::add_map(app),
@@ -18,14 +17,11 @@ int main(int argc, char** argv) {
                                           enfilade::add_evaluate(app), enfilade::add_calibrate(app)};
   try {
     app.parse(argc, argv);
-    for (const enfilade::Verb& verb : verbs) {
-      if (verb.command->parsed()) return verb.run();
-    }
+    return enfilade::run_chosen(app, verbs);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   } catch (const std::exception& error) {
     std::cerr << "enfilade: " << error.what() << "\n";
     return 2;
   }
-  return 2;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/enfilade/composed_run.hpp"
+#include "tools/launch/composed_run.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -21,8 +21,8 @@
 #include "components/topoGraph/node/topo_graph_config.hpp"
 #include "components/topoGraph/node/topo_graph_node.hpp"
 #include "interfaces/convert/wire_codec.hpp"
-#include "interfaces/runtime/command_line.hpp"
 #include "interfaces/runtime/composed_system.hpp"
+#include "tools/launch/component_config.hpp"
 #include "tools/simulator/node/simulator_config.hpp"
 #include "tools/simulator/node/simulator_node.hpp"
 #include "tools/simulator/world/load_world.hpp"
@@ -31,17 +31,18 @@
 namespace enfilade {
 namespace {
 
+/// Adds a component to `system`, if there is one; in any case its configuration is checked.
 template <class NodeType, class Config>
-void add(ComposedSystem& system, const std::string& name, const Settings& settings) {
-  const auto config =
-      load_config<Config>(find_config_file(name, executable_path(), process_environment), settings.of(name));
-  system.add(name, config.period,
-             [config](const NodeContext& context) { return std::make_unique<NodeType>(context, config); });
+void add(ComposedSystem* system, const std::string& name, const Settings& settings) {
+  const auto config = load_component_config<Config>(name, settings);
+  if (!system) return;
+  system->add(name, config.period,
+              [config](const NodeContext& context) { return std::make_unique<NodeType>(context, config); });
 }
 
 constexpr double kRestart_s = 1.0;
 
-using AddComponent = std::function<void(ComposedSystem&, const std::string&, const Settings&)>;
+using AddComponent = std::function<void(ComposedSystem*, const std::string&, const Settings&)>;
 
 /// In the order that breaks ties in time.
 const std::vector<std::pair<std::string, AddComponent>>& components() {
@@ -58,7 +59,7 @@ const std::vector<std::pair<std::string, AddComponent>>& components() {
 
 void add_component(ComposedSystem& system, const std::string& name, const Settings& settings) {
   for (const auto& [known, add_it] : components()) {
-    if (known == name) add_it(system, name, settings);
+    if (known == name) add_it(&system, name, settings);
   }
 }
 
@@ -110,13 +111,19 @@ Kill parse_kill(const std::string& text) {
   double at_s = 0.0;
   const char* const begin = at == std::string::npos ? nullptr : text.data() + at + 1;
   const char* const end = text.data() + text.size();
-  const bool number = begin && std::from_chars(begin, end, at_s).ptr == end && begin != end && at_s >= 0.0;
+  const bool number =
+      begin && std::from_chars(begin, end, at_s).ptr == end && begin != end && at_s >= 0.0 && at_s <= 1e9;
   if (!known || !number) {
     throw ConfigError("--kill " + text +
                       ": give COMPONENT@SECONDS with one of the six components, e.g. explorer@90");
   }
   return {name, at_s};
 }
+
+void check_settings(const Settings& settings) {
+  for (const auto& [name, add_it] : components()) add_it(nullptr, name, settings);
+}
+
 report::Report run_composed(const ComposedRunOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   const simulator::WorldTruth truth = simulator::load_world(options.world).truth;
@@ -126,7 +133,7 @@ report::Report run_composed(const ComposedRunOptions& options) {
   std::optional<ScratchFolder> scratch;
   if (kills_map_keeper(options)) keep_map_in(scratch.emplace().path(), settings);
   ComposedSystem system(config);
-  for (const auto& [name, add_it] : components()) add_it(system, name, settings);
+  for (const auto& [name, add_it] : components()) add_it(&system, name, settings);
   report::RunRecorder recorder(system.tool_bus(), truth.T_world_start);
   run_with_kills(system, options, settings, [&] { return recorder.record().ended(); });
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;

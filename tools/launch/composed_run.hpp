@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "interfaces/runtime/component_log.hpp"
-#include "tools/enfilade/report/report.hpp"
-#include "tools/enfilade/settings.hpp"
+#include "tools/launch/settings.hpp"
+#include "tools/report/report.hpp"
 
 namespace enfilade {
 
@@ -29,6 +29,9 @@ struct ComposedRunOptions {
   std::vector<Kill> kills;
   LogSink log;
 };
+
+/// Throws ConfigError if a component would refuse its configuration.
+void check_settings(const Settings& settings);
 
 /// Lets the six components and the simulator explore `world` in this process, on a virtual clock, until the
 /// explorer is done or the time is up. Repeatable byte for byte but for the wall time. Throws ConfigError or

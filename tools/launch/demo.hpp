@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "tools/enfilade/launch/deployment.hpp"
-#include "tools/enfilade/settings.hpp"
+#include "tools/launch/deployment.hpp"
+#include "tools/launch/settings.hpp"
 
 namespace enfilade::launch {
 

@@ -5,13 +5,13 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <stdexcept>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include "interfaces/runtime/command_line.hpp"
-#include "tools/enfilade/launch/demo.hpp"
+#include "tools/launch/demo.hpp"
+#include "tools/support/files.hpp"
 
 namespace enfilade::launch {
 namespace {
@@ -47,11 +47,7 @@ std::string prepare_out_folder(const DemoOptions& options) {
   const std::time_t now = std::time(nullptr);
   const std::string folder =
       options.out.empty() ? fmt::format("out/{:%Y-%m-%dT%H-%M-%S}", fmt::localtime(now)) : options.out;
-  std::error_code error;
-  std::filesystem::create_directories(folder + "/log", error);
-  if (error)
-    throw std::runtime_error(
-        fmt::format("{}: cannot be made ({}): choose another --out", folder, error.message()));
+  make_folder(folder + "/log");
   remove_earlier_run(folder);
   return std::filesystem::absolute(folder).string();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/enfilade/launch/deployment.hpp"
+#include "tools/launch/deployment.hpp"
 
 #include <algorithm>
 #include <csignal>

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/enfilade/launch/process.hpp"
+#include "tools/launch/process.hpp"
 
 namespace enfilade::launch {
 

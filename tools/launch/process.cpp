@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/enfilade/launch/process.hpp"
+#include "tools/launch/process.hpp"
 
 #include <cerrno>
 #include <csignal>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/enfilade/launch/progress.hpp"
+#include "tools/launch/progress.hpp"
 
 #include <iostream>
 

@@ -5,12 +5,17 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "components/laser3D/core/point_file.hpp"
+#include "interfaces/model/counted.hpp"
 #include "interfaces/runtime/command_line.hpp"
+#include "interfaces/runtime/read_file.hpp"
 #include "interfaces/topics/topics.hpp"
-#include "tools/enfilade/launch/demo.hpp"
-#include "tools/enfilade/launch/progress.hpp"
-#include "tools/enfilade/launch/session.hpp"
-#include "tools/enfilade/report/report.hpp"
+#include "tools/draw/figures.hpp"
+#include "tools/launch/demo.hpp"
+#include "tools/launch/progress.hpp"
+#include "tools/launch/session.hpp"
+#include "tools/support/files.hpp"
+#include "tools/support/rectangle_json.hpp"
 
 namespace enfilade::launch {
 namespace {
@@ -54,13 +59,8 @@ const char* name_of(DoorState state) {
 }
 
 std::string room_json(const RoomEstimate& estimate) {
-  const Rectangle r = canonical(estimate.rectangle).rectangle;
-  nlohmann::ordered_json room{{"id", 1},
-                              {"x_m", r.x_m},
-                              {"y_m", r.y_m},
-                              {"yaw_rad", r.yaw_rad},
-                              {"width_m", r.width_m},
-                              {"height_m", r.height_m}};
+  nlohmann::ordered_json room{{"id", 1}};
+  room.update(rectangle_json(canonical(estimate.rectangle).rectangle));
   auto doors = nlohmann::ordered_json::array();
   for (const DoorEstimate& door : estimate.doors) {
     const Segment s = segment_of(estimate.rectangle, door.gap);
@@ -100,9 +100,8 @@ Settings settings_of(const DemoOptions& options) {
 }  // namespace
 
 int run_replay_demo(const DemoOptions& options) {
-  if (!std::filesystem::exists(options.input)) {
-    throw std::runtime_error(fmt::format("{}: no such file: give --input a .pcd or .3d file", options.input));
-  }
+  // What laser3D would refuse is refused before anything is started or written.
+  laser_3d::read_points({options.input, read_file(options.input)});
   const std::string out = prepare_out_folder(options);
   const int domain = resolve_domain(options.domain, process_environment);
   Progress progress;
@@ -115,7 +114,7 @@ int run_replay_demo(const DemoOptions& options) {
     progress.line(fmt::format("{:<12} {}", line.component_name, line.text));
   });
   const SessionEnd end = session.run([&] {
-    progress.status(fmt::format("{} points so far", replay.points));
+    progress.status(fmt::format("{} so far", counted(replay.points, "point")));
     return replay.over();
   });
   progress.status("");
@@ -127,13 +126,13 @@ int run_replay_demo(const DemoOptions& options) {
   }
   const std::string title = std::filesystem::path(options.input).filename();
   const std::string picture = out + "/room1-scan1.svg";
-  report::write_file(picture, draw::draw_scan({title, replay.estimate, replay.hits, Pose2{}}));
+  write_file(picture, draw::draw_scan({title, replay.estimate, replay.hits, Pose2{}}));
   if (!replay.estimate.found) {
-    std::cerr << fmt::format("enfilade demo: no rectangle fits the {} points of {}; they are drawn in {}\n",
-                             replay.points, options.input, picture);
+    std::cerr << fmt::format("enfilade demo: no rectangle fits the {} of {}; they are drawn in {}\n",
+                             counted(replay.points, "point"), options.input, picture);
     return 1;
   }
-  report::write_file(out + "/report.json", room_json(replay.estimate));
+  write_file(out + "/report.json", room_json(replay.estimate));
   print(replay.estimate);
   std::cout << fmt::format("  picture, report and logs are in {}\n", out);
   return 0;

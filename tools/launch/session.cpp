@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/enfilade/launch/session.hpp"
+#include "tools/launch/session.hpp"
 
 #include <atomic>
 #include <csignal>

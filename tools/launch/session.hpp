@@ -11,7 +11,7 @@
 #include "interfaces/runtime/component_log.hpp"
 #include "interfaces/runtime/deployed_clock.hpp"
 #include "interfaces/runtime/thread_executor.hpp"
-#include "tools/enfilade/launch/deployment.hpp"
+#include "tools/launch/deployment.hpp"
 
 namespace enfilade::launch {
 

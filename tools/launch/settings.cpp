@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/enfilade/settings.hpp"
+#include "tools/launch/settings.hpp"
 
 #include <algorithm>
 
@@ -12,12 +12,12 @@ Settings::Settings(const std::vector<std::string>& entries) {
   for (const std::string& entry : entries) {
     const std::size_t dot = entry.find('.'), equals = entry.find('=');
     if (dot == std::string::npos || equals == std::string::npos || equals < dot) {
-      throw ConfigError(fmt::format("--set {}: not of the form COMPONENT.KEY=VALUE", entry));
+      throw ConfigError(fmt::format("--set {}: this is no setting, write COMPONENT.KEY=VALUE", entry));
     }
     const std::string component = entry.substr(0, dot);
     if (std::find(kComponents.begin(), kComponents.end(), component) == kComponents.end()) {
-      throw ConfigError(fmt::format("--set {}: there is no component '{}'; there are {}", entry, component,
-                                    fmt::join(kComponents, ", ")));
+      throw ConfigError(fmt::format("--set {}: there is no component '{}', choose one of {}", entry,
+                                    component, fmt::join(kComponents, ", ")));
     }
     overrides_[component].push_back(entry.substr(dot + 1));
   }

@@ -5,12 +5,13 @@
 
 #include <fmt/format.h>
 
+#include "interfaces/model/counted.hpp"
 #include "interfaces/runtime/command_line.hpp"
 #include "interfaces/topics/topics.hpp"
-#include "tools/enfilade/launch/demo.hpp"
-#include "tools/enfilade/launch/progress.hpp"
-#include "tools/enfilade/launch/session.hpp"
-#include "tools/enfilade/report/report.hpp"
+#include "tools/launch/demo.hpp"
+#include "tools/launch/progress.hpp"
+#include "tools/launch/session.hpp"
+#include "tools/report/report.hpp"
 #include "tools/simulator/world/load_world.hpp"
 
 namespace enfilade::launch {
@@ -20,10 +21,11 @@ constexpr double kMaxSimTime_s = 3600.0;
 
 std::string status_line(const report::RunRecord& record) {
   const ExplorationState& state = record.exploration;
-  return fmt::format(
-      "{:7.1f} s  {} sweeps, {:.0f} % of the walls unseen, {} rooms, {} doors, {:.1f} m driven: {}",
-      seconds(record.ground_truth.stamp_ns), state.sweeps_total, 100.0 * state.unexplored_wall_share,
-      record.map.rooms.size(), record.map.doors.size(), record.ground_truth.path_length_m, state.activity);
+  return fmt::format("{:7.1f} s  {}, {:.0f} % of the walls unseen, {}, {}, {:.1f} m driven: {}",
+                     seconds(record.ground_truth.stamp_ns), counted(state.sweeps_total, "sweep"),
+                     100.0 * state.unexplored_wall_share, counted(record.map.rooms.size(), "room"),
+                     counted(record.map.doors.size(), "door"), record.ground_truth.path_length_m,
+                     state.activity);
 }
 
 /// Beside the shipped configuration.

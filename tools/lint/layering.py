@@ -23,6 +23,8 @@ ALLOWED = [
 # (what, files, what they must not include)
 FORBIDDEN = [
     ("a component", r"components/(?P<c>\w+)/", r"components/(?!{c}/)|tools/"),
+    ("anything but the command", r"tools/(?!enfilade/)", r"tools/enfilade/"),
+    ("what the experiments stand on", r"tools/(?!enfilade/|evaluate/)", r"tools/evaluate/"),
     ("an interface", r"interfaces/", r"components/|tools/"),
     ("anything but interfaces/dds, interfaces/convert and their tests", r"(?!interfaces/(dds|convert)/|tests/)", r"fastdds/|fastrtps/|fastcdr/"),
     ("a core", r"(components/\w+|tools/simulator)/core/",

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/enfilade/report/report.hpp"
-
-#include <cerrno>
-#include <ctime>
-#include <filesystem>
-#include <fstream>
-#include <stdexcept>
+#include "tools/report/report.hpp"
 
 #include <fmt/format.h>
+
+#include "tools/support/files.hpp"
 
 namespace enfilade::report {
 namespace {
@@ -29,26 +25,8 @@ Report make_report(const RunRecord& record, const simulator::WorldTruth& truth, 
           .evaluation = evaluate(record.map, truth)};
 }
 
-void write_file(const std::string& path, const std::string& text) {
-  const std::string temporary = path + ".part";
-  std::ofstream file(temporary, std::ios::binary);
-  file << text;
-  file.close();
-  std::error_code error(file ? 0 : errno, std::generic_category());
-  if (file) std::filesystem::rename(temporary, path, error);
-  if (!error) return;
-  std::error_code ignored;
-  std::filesystem::remove(temporary, ignored);
-  throw std::runtime_error(fmt::format(
-      "{}: cannot be written ({}): choose another place with --out or --json", path, error.message()));
-}
-
 void write_files(const Report& report, const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    throw std::runtime_error(
-        fmt::format("{}: cannot be made ({}): choose another --out", folder, error.message()));
+  make_folder(folder);
   write_file(folder + "/report.json", to_json(report));
   write_file(folder + "/floorplan.svg",
              draw::draw_floor_plan(report.record.map, "Recovered from the graph: " + report.world));
@@ -61,13 +39,6 @@ void write_files(const Report& report, const std::string& folder) {
       write_file(fmt::format("{}/room{}-scan{}.svg", folder, *room, i + 1), draw::draw_scan(figure));
     }
   }
-}
-
-std::string today() {
-  const std::time_t now = std::time(nullptr);
-  char text[16] = {};
-  std::strftime(text, sizeof text, "%Y-%m-%d", std::gmtime(&now));
-  return text;
 }
 
 }  // namespace enfilade::report

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "tools/enfilade/report/evaluation.hpp"
-#include "tools/enfilade/report/run_recorder.hpp"
+#include "tools/report/evaluation.hpp"
+#include "tools/report/run_recorder.hpp"
 
 namespace enfilade::report {
 
@@ -28,11 +28,5 @@ std::string to_table(const Report& report);
 /// `report.json`, `floorplan.svg`, `room<N>-scan<M>.svg` into `folder`, which is made if need be. Throws
 /// std::runtime_error naming the file that cannot be written.
 void write_files(const Report& report, const std::string& folder);
-
-/// All of `text` or nothing: through a temporary file beside `path`.
-void write_file(const std::string& path, const std::string& text);
-
-/// The date in UTC, for the head of a report: 2026-01-31.
-std::string today();
 
 }  // namespace enfilade::report

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <nlohmann/json.hpp>
 
-#include "tools/enfilade/report/report.hpp"
+#include "tools/report/report.hpp"
+#include "tools/support/rectangle_json.hpp"
 
 namespace enfilade::report {
 namespace {
@@ -25,14 +26,6 @@ const char* name_of(DoorKind kind) {
       break;
   }
   return "unresolved";
-}
-
-Json rectangle_json(const Rectangle& r) {
-  return {{"x_m", r.x_m},
-          {"y_m", r.y_m},
-          {"yaw_rad", r.yaw_rad},
-          {"width_m", r.width_m},
-          {"height_m", r.height_m}};
 }
 
 Json room_json(const RoomReport& room) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include "tools/enfilade/report/report.hpp"
+#include "interfaces/model/counted.hpp"
+#include "tools/report/report.hpp"
 
 namespace enfilade::report {
 namespace {
@@ -43,16 +44,15 @@ std::string to_table(const Report& report) {
   for (const DoorReport& door : report.evaluation.doors) out += door_row(door);
   const Metrics& m = report.evaluation.metrics;
   if (m.rooms_true) {
-    out += fmt::format("  found {} of {} rooms and {} of {} doors", m.rooms_found, *m.rooms_true,
-                       m.doors_found, *m.doors_true);
+    out += fmt::format("  found {} of {} and {} of {}", m.rooms_found, counted(*m.rooms_true, "room"),
+                       m.doors_found, counted(*m.doors_true, "door"));
   } else {
-    out += fmt::format("  found {} rooms and {} doors", m.rooms_found, m.doors_found);
+    out += fmt::format("  found {} and {}", counted(m.rooms_found, "room"), counted(m.doors_found, "door"));
   }
   const RunRecord& r = report.record;
-  out += fmt::format(
-      " in {:.0f} s of robot time ({:.0f} s of yours): {} sweeps, {:.1f} m driven, {} collisions\n",
-      seconds(r.exploration.stamp_ns), report.wall_time_s, r.sweeps, r.ground_truth.path_length_m,
-      r.ground_truth.collisions);
+  out += fmt::format(" in {:.0f} s of robot time ({:.0f} s of yours): {}, {:.1f} m driven, {}\n",
+                     seconds(r.exploration.stamp_ns), report.wall_time_s, counted(r.sweeps, "sweep"),
+                     r.ground_truth.path_length_m, counted(r.ground_truth.collisions, "collision"));
   return out;
 }
 

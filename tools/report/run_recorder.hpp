@@ -13,7 +13,7 @@
 #include "interfaces/model/health.hpp"
 #include "interfaces/model/sensing.hpp"
 #include "interfaces/model/simulation.hpp"
-#include "tools/enfilade/draw/figures.hpp"
+#include "tools/draw/figures.hpp"
 
 namespace enfilade::report {
 

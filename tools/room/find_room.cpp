@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/enfilade/room/find_room.hpp"
+#include "tools/room/find_room.hpp"
 
 #include <cmath>
 #include <set>
 #include <utility>
 
-#include "tools/enfilade/draw/figures.hpp"
-#include "tools/enfilade/room/view.hpp"
+#include "tools/draw/figures.hpp"
+#include "tools/room/view.hpp"
 
 namespace enfilade::room {
 namespace {

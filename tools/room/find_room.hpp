@@ -5,7 +5,7 @@
 #include <string>
 
 #include "components/roomDetector/core/room_detector.hpp"
-#include "tools/enfilade/room/survey.hpp"
+#include "tools/room/survey.hpp"
 
 namespace enfilade::room {
 

@@ -5,7 +5,8 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include "tools/enfilade/room/survey.hpp"
+#include "interfaces/runtime/read_file.hpp"
+#include "tools/room/survey.hpp"
 #include "tools/simulator/world/grey_image.hpp"
 
 namespace enfilade::room {
@@ -21,8 +22,10 @@ struct MapFrame {
 };
 
 MapFrame read_frame(const std::string& file) {
+  const std::string text = read_file(file);
   try {
-    const YAML::Node yaml = YAML::LoadFile(file);
+    const YAML::Node yaml = YAML::Load(text);
+    if (!yaml.IsMap() || !yaml["image"]) throw std::runtime_error("no image is named in it");
     MapFrame frame;
     const std::filesystem::path image(yaml["image"].as<std::string>());
     frame.image = (image.is_absolute() ? image : std::filesystem::path(file).parent_path() / image).string();

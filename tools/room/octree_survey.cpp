@@ -3,7 +3,7 @@
 #include <cmath>
 #include <map>
 
-#include "tools/enfilade/room/survey.hpp"
+#include "tools/room/survey.hpp"
 
 namespace enfilade::room {
 namespace {

@@ -2,7 +2,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tools/enfilade/room/find_room.hpp"
+#include "tools/room/find_room.hpp"
+#include "tools/support/rectangle_json.hpp"
 
 namespace enfilade::room {
 namespace {
@@ -32,16 +33,13 @@ Json door_json(const Rectangle& rectangle, const DoorEstimate& door, int id) {
 std::string to_json(const FoundRoom& room) {
   const RoomEstimate& e = room.estimate;
   const auto number = [&e](double value) { return e.found ? Json(value) : Json(nullptr); };
-  Json out{{"id", 1},
-           {"x_m", number(e.rectangle.x_m)},
-           {"y_m", number(e.rectangle.y_m)},
-           {"yaw_rad", number(e.rectangle.yaw_rad)},
-           {"width_m", number(e.rectangle.width_m)},
-           {"height_m", number(e.rectangle.height_m)},
-           {"doors", Json::array()},
-           {"unexplored", Json::array()},
-           {"score", number(e.score)},
-           {"unexplored_wall_share", number(e.unexplored_wall_share)}};
+  Json out{{"id", 1}};
+  const Json rectangle = rectangle_json(e.rectangle);
+  for (const auto& [key, value] : rectangle.items()) out[key] = number(value);
+  out["doors"] = Json::array();
+  out["unexplored"] = Json::array();
+  out["score"] = number(e.score);
+  out["unexplored_wall_share"] = number(e.unexplored_wall_share);
   int doors = 0;
   for (const DoorEstimate& door : e.doors) {
     if (door.state == DoorState::kUnexplored)

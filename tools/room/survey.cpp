@@ -1,29 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/enfilade/room/survey.hpp"
+#include "tools/room/survey.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <stdexcept>
 
 #include "components/laser3D/core/carmen_reader.hpp"
 #include "components/laser3D/core/point_file.hpp"
+#include "interfaces/runtime/read_file.hpp"
 
 namespace enfilade::room {
 namespace {
 
 constexpr std::uintmax_t kMostBytes = 1'000'000'000;
 
-laser_3d::FileBytes read_file(const std::string& name) {
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(name, error);
-  if (error) throw std::runtime_error(name + ": cannot be read: " + error.message());
-  if (size > kMostBytes) throw std::runtime_error(name + ": is larger than 1 GB: give a part of it");
-  std::ifstream in(name, std::ios::binary);
-  return {name, {std::istreambuf_iterator<char>(in), {}}};
+laser_3d::FileBytes bytes_of(const std::string& name) {
+  std::error_code unknown;
+  const std::uintmax_t size = std::filesystem::file_size(name, unknown);
+  if (!unknown && size > kMostBytes)
+    throw std::runtime_error(name + ": is larger than 1 GB: give a part of it");
+  return {name, read_file(name)};
 }
 
 std::string ending_of(const std::string& file) {
@@ -47,10 +45,10 @@ int planar_layer(double resolution_m) {
 Survey read_survey(const std::string& file, const SurveyConfig& config) {
   const std::string ending = ending_of(file);
   if (ending == ".yaml" || ending == ".png" || ending == ".pgm") return survey_of_map(file, config);
-  if (ending == ".bt") return survey_of_octree(read_file(file));
-  if (ending == ".pcd" || ending == ".3d") return survey_of_cloud(read_file(file), config);
-  if (ending == ".clf" || ending == ".log") return survey_of_log(read_file(file), config);
-  throw std::runtime_error(file +
+  if (ending == ".bt") return survey_of_octree(bytes_of(file));
+  if (ending == ".pcd" || ending == ".3d") return survey_of_cloud(bytes_of(file), config);
+  if (ending == ".clf" || ending == ".log") return survey_of_log(bytes_of(file), config);
+  throw std::runtime_error((file.empty() ? "\"\"" : file) +
                            ": what it holds is told by its ending, which must be .bt, .pcd, .3d, .clf, "
                            ".log, .yaml, .png or .pgm");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/enfilade/room/view.hpp"
+#include "tools/room/view.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "tools/enfilade/room/survey.hpp"
+#include "tools/room/survey.hpp"
 
 namespace enfilade::room {
 

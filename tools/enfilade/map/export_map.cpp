@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <filesystem>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <png.h>
@@ -10,26 +13,49 @@
 #include "components/topoGraph/exports/exports.hpp"
 #include "components/topoGraph/metric_map/map_formats.hpp"
 #include "components/topoGraph/storage/map_file.hpp"
-#include "tools/enfilade/draw/figures.hpp"
+#include "tools/draw/figures.hpp"
 #include "tools/enfilade/map/map_commands.hpp"
-#include "tools/enfilade/report/report.hpp"
+#include "tools/support/files.hpp"
 
 namespace enfilade::map_tool {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array kFormats{"pgm", "png", "bt", "svg", "geojson", "graphml", "indoorgml"};
+/// What files of each format end in; the format's own name is first among those that mean it.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kFormatOfEnding{
+    {{"pgm", "pgm"},
+     {"png", "png"},
+     {"bt", "bt"},
+     {"svg", "svg"},
+     {"geojson", "geojson"},
+     {"json", "geojson"},
+     {"graphml", "graphml"},
+     {"indoorgml", "indoorgml"},
+     {"gml", "indoorgml"},
+     {"yaml", "pgm"},
+     {"yml", "pgm"}}};
+
+/// Without the dot, in small letters.
+std::string plain(std::string ending) {
+  if (ending.starts_with('.')) ending.erase(0, 1);
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  return ending;
+}
+
+std::string ending_of(const std::string& path) { return plain(fs::path(path).extension().string()); }
 
 std::string format_of(const ExportOptions& options) {
-  std::string format = options.format;
-  if (format.empty()) format = fs::path(options.out).extension().string();
-  if (!format.empty() && format.front() == '.') format.erase(0, 1);
-  if (std::find(kFormats.begin(), kFormats.end(), format) == kFormats.end())
-    throw std::runtime_error(
-        "\"" + format + "\" is no format; give --format pgm, png, bt, svg, geojson, graphml or indoorgml");
-  return format;
+  const std::string name = options.format.empty() ? ending_of(options.out) : plain(options.format);
+  for (const auto& [ending, format] : kFormatOfEnding)
+    if (name == ending) return std::string(format);
+  const std::string given = options.format.empty() ? options.out : "--format " + options.format;
+  throw std::runtime_error(given +
+                           ": tells no format that a map can be written in; give --format pgm, png, bt, svg, "
+                           "geojson, graphml or indoorgml");
 }
+
+bool is_yaml(const std::string& path) { return ending_of(path) == "yaml" || ending_of(path) == "yml"; }
 
 std::string to_png(const topo_graph::OccupancyGrid& grid) {
   const std::vector<std::uint8_t> levels = topo_graph::grey_levels(grid);
@@ -54,13 +80,13 @@ void refuse_overwriting(const std::string& map_file, const std::string& out) {
 /// Picture and YAML side by side, whichever of the two `out` names.
 std::vector<std::string> write_map_server(const ExportOptions& options, const std::string& format,
                                           const topo_graph::OccupancyGrid& grid) {
-  const bool named_yaml = fs::path(options.out).extension() == ".yaml";
+  const bool named_yaml = is_yaml(options.out);
   const std::string image =
       named_yaml ? fs::path(options.out).replace_extension(format).string() : options.out;
-  const std::string yaml = fs::path(image).replace_extension(".yaml").string();
+  const std::string yaml = named_yaml ? options.out : fs::path(image).replace_extension(".yaml").string();
   refuse_overwriting(options.file, yaml);
-  report::write_file(image, format == "png" ? to_png(grid) : topo_graph::to_pgm(grid));
-  report::write_file(yaml, topo_graph::to_map_server_yaml(grid, fs::path(image).filename().string()));
+  write_file(image, format == "png" ? to_png(grid) : topo_graph::to_pgm(grid));
+  write_file(yaml, topo_graph::to_map_server_yaml(grid, fs::path(image).filename().string()));
   return {image, yaml};
 }
 
@@ -79,13 +105,13 @@ std::vector<std::string> export_map(const ExportOptions& options) {
   refuse_overwriting(options.file, options.out);
   try {
     if (format != "pgm" && format != "png" && format != "bt") {
-      report::write_file(options.out, text_of(options, format, map));
+      write_file(options.out, text_of(options, format, map));
       return {options.out};
     }
     const auto grid =
         topo_graph::draw_metric_map(map, {.resolution_m = options.resolution_m, .rooms = options.rooms});
     if (format != "bt") return write_map_server(options, format, grid);
-    report::write_file(options.out, topo_graph::to_octomap(grid));
+    write_file(options.out, topo_graph::to_octomap(grid));
     return {options.out};
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(options.file + ": " + error.what());

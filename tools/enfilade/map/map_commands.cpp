@@ -13,6 +13,7 @@
 #include "components/topoGraph/routes/map_check.hpp"
 #include "components/topoGraph/storage/map_file.hpp"
 #include "components/topoGraph/storage/map_restore.hpp"
+#include "interfaces/model/counted.hpp"
 
 namespace enfilade::map_tool {
 namespace {
@@ -44,6 +45,10 @@ RoutePlace route_place(const TopologicalMap& map, const std::string& file, const
       fmt::format("{}: the point {} lies in no room; give one inside a room", file, name));
 }
 
+std::string contents(const TopologicalMap& map) {
+  return counted(map.rooms.size(), "room") + ", " + counted(map.doors.size(), "door");
+}
+
 std::string leg_line(const TopologicalMap& map, const RouteLeg& leg) {
   const Room* room = map.find_room(leg.room);
   const std::string way = fmt::format("{:>8.3f} m  room {} ({})", (leg.leave - leg.enter).norm(), leg.room,
@@ -56,11 +61,29 @@ std::string no_such_door(const std::string& file, DoorId door) {
   return fmt::format("{}: there is no door {}; 'enfilade map show' lists them", file, door);
 }
 
+/// Whether each first byte is followed by as many others as it tells.
+bool is_utf8(const std::string& text) {
+  int expected = 0;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool follows = (byte & 0xC0) == 0x80;
+    if (follows != (expected > 0)) return false;
+    if (follows)
+      --expected;
+    else if (byte >= 0xF8)
+      return false;
+    else
+      expected = byte >= 0xF0 ? 3 : byte >= 0xE0 ? 2 : byte >= 0xC0 ? 1 : 0;
+  }
+  return expected == 0;
+}
+
 void check_name(const TopologicalMap& map, const Room& room, const std::string& name) {
   const bool printable = std::none_of(
       name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
-  if (name.empty() || !printable || name.size() > 200)
-    throw std::runtime_error("a room's name has 1 to 200 characters, none of them a control character");
+  if (name.empty() || !printable || name.size() > 200 || !is_utf8(name))
+    throw std::runtime_error(
+        "a room's name has 1 to 200 characters of UTF-8, none of them a control character");
   if (is_number(name) || parse_point(name))
     throw std::runtime_error("\"" + name +
                              "\" could be taken for a room's number or a point; choose another name");
@@ -98,7 +121,8 @@ RoutePlace parse_place(const TopologicalMap& map, const std::string& source, con
 std::string describe(const TopologicalMap& map, const Route& route) {
   std::string text;
   for (const RouteLeg& leg : route.legs) text += leg_line(map, leg);
-  return text + fmt::format("{:>8.3f} m  in all, through {} doors\n", route.length_m, route.legs.size() - 1);
+  return text + fmt::format("{:>8.3f} m  in all, through {}\n", route.length_m,
+                            counted(route.legs.size() - 1, "door"));
 }
 
 std::optional<std::string> route(const RouteOptions& options) {
@@ -130,8 +154,7 @@ std::string merge(const std::string& first, const std::string& second, const std
     std::string text;
     for (const auto& [in_a, in_b] : merged.common)
       text += fmt::format("room {} of {} is room {} of {}\n", in_b, second, in_a, first);
-    return text + fmt::format("wrote {}: {} rooms, {} doors\n", out, merged.map.rooms.size(),
-                              merged.map.doors.size());
+    return text + fmt::format("wrote {}: {}\n", out, contents(merged.map));
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(first + " and " + second + ": " + error.what());
   }
@@ -139,8 +162,8 @@ std::string merge(const std::string& first, const std::string& second, const std
 
 std::string restore(const std::string& file) {
   const TopologicalMap map = topo_graph::restore_last_good(file).map;
-  return fmt::format("{} is the last good map again: {} rooms, {} doors; the damaged one is {}.damaged\n",
-                     file, map.rooms.size(), map.doors.size(), file);
+  return fmt::format("{} is the last good map again: {}; the damaged one is {}.damaged\n", file,
+                     contents(map), file);
 }
 
 std::string rename(const std::string& file, const std::string& room, const std::string& name) {

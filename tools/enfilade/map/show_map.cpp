@@ -6,6 +6,7 @@
 #include "components/topoGraph/exports/export_parts.hpp"
 #include "components/topoGraph/metric_map/map_formats.hpp"
 #include "components/topoGraph/storage/map_file.hpp"
+#include "interfaces/model/counted.hpp"
 #include "tools/enfilade/map/map_commands.hpp"
 
 namespace enfilade::map_tool {
@@ -43,8 +44,9 @@ std::string show(const std::string& file) {
   const TopologicalMap map = topo_graph::load_map(file);
   double area_m2 = 0.0;
   for (const Room& room : map.rooms) area_m2 += room.rectangle().area_m2();
-  std::string text = fmt::format("{}: {} rooms, {} doors, {:.1f} m², version {}\n", file, map.rooms.size(),
-                                 map.doors.size(), area_m2, map.version);
+  std::string text =
+      fmt::format("{}: {}, {}, {:.1f} m², version {}\n", file, counted(map.rooms.size(), "room"),
+                  counted(map.doors.size(), "door"), area_m2, map.version);
   for (const Place& place : map.places)
     text += fmt::format("{} {}: {}\n", place.kind == PlaceKind::kBuilding ? "building" : "floor", place.id,
                         place.name);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <memory>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "interfaces/runtime/read_file.hpp"
+#include "tools/enfilade/verbs/options.hpp"
 #include "tools/enfilade/verbs/verbs.hpp"
 #include "tools/evaluate/perception/range_calibration.hpp"
 
@@ -23,10 +22,8 @@ struct Arguments {
 std::optional<evaluate::RangeCalibration> calibrate(const Arguments& arguments) {
   if (arguments.file.empty())
     return evaluate::calibrate_simulated_range(arguments.width_m, arguments.simulated_bias_m, arguments.seed);
-  std::ifstream in(arguments.file, std::ios::binary);
-  if (!in) throw std::runtime_error(arguments.file + ": cannot be opened; name a .pcd or .3d file");
-  const laser_3d::FileBytes file{arguments.file, {std::istreambuf_iterator<char>(in), {}}};
-  return evaluate::calibrate_range(laser_3d::read_points(file), arguments.width_m);
+  const auto points = laser_3d::read_points({arguments.file, read_file(arguments.file)});
+  return evaluate::calibrate_range(points, arguments.width_m);
 }
 
 int run(const Arguments& arguments) {
@@ -50,18 +47,21 @@ int run(const Arguments& arguments) {
 Verb add_calibrate(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* group = app.add_subcommand("calibrate", "Tell what a sensor errs by");
-  group->require_subcommand(1);
   CLI::App* command = group->add_subcommand(
       "range", "What the laser measures too much, from a room of which one side was measured by hand");
   command->add_option("file", arguments->file,
                       "A recorded scan (.pcd, .3d); without one, the simulated sensor in a bare room");
   command->add_option("--width", arguments->width_m, "The true length of one side of the room, m")
       ->required()
-      ->check(CLI::Range(1.5, 15.0));
-  command->add_option("--simulated-bias", arguments->simulated_bias_m,
-                      "What the simulated sensor measures too much, m");
-  command->add_option("--seed", arguments->seed, "Seed of the simulated noise");
-  return {group, [arguments] { return run(*arguments); }};
+      ->check(number_in(1.5, 15.0));
+  command
+      ->add_option("--simulated-bias", arguments->simulated_bias_m,
+                   "What the simulated sensor measures too much, m")
+      ->check(number_in(-1.0, 1.0))
+      ->capture_default_str();
+  add_seed(*command, arguments->seed, "Seed of the simulated noise")->capture_default_str();
+  const std::vector<Verb> verbs{{command, [arguments] { return run(*arguments); }}};
+  return {group, [group, verbs] { return run_chosen(*group, verbs); }};
 }
 
 }  // namespace enfilade

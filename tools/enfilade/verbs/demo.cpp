@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/enfilade/launch/demo.hpp"
+#include "tools/launch/demo.hpp"
 
 #include <cstdlib>
 #include <memory>
 
+#include "tools/enfilade/verbs/options.hpp"
 #include "tools/enfilade/verbs/verbs.hpp"
+#include "tools/launch/composed_run.hpp"
 
 namespace enfilade {
 
@@ -14,23 +16,23 @@ Verb add_demo(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "demo",
       "Explore a simulated world, or look at a recorded scan, with the components as processes on DDS");
-  command->add_option("--world", options->world, "World file; the paper's two rooms by default");
-  command->add_option("--input", options->input,
-                      "A recorded 3D scan (.pcd, .3d) to look at instead of a world");
+  CLI::Option* world =
+      command->add_option("--world", options->world, "World file; the paper's two rooms by default");
+  command
+      ->add_option("--input", options->input, "A recorded 3D scan (.pcd, .3d) to look at instead of a world")
+      ->excludes(world);
   command->add_option("--speed", options->speed, "At most so many times as fast as real time")
-      ->check(CLI::Range(0.05, 100.0));
-  CLI::Option* seed = command->add_option("--seed", options->seed, "Seed of the simulator's noise");
-  command->add_option("--out", options->out,
-                      "Folder for report, map, pictures and logs; out/<time> by default");
-  command
-      ->add_option("--domain", options->domain, "DDS domain; ENFILADE_DOMAIN, ROS_DOMAIN_ID or 0 by default")
-      ->check(CLI::Range(0, 232));
-  command
-      ->add_option("--set", *settings, "COMPONENT.KEY=VALUE: override one configuration key; may be repeated")
-      ->allow_extra_args(false);
+      ->check(number_in(0.05, 100.0))
+      ->capture_default_str();
+  CLI::Option* seed = add_seed(*command, options->seed, "Seed of the simulator's noise");
+  add_output_folder(*command, "--out", options->out,
+                    "Folder for report, map, pictures and logs; out/<time> by default");
+  add_domain(*command, options->domain);
+  add_settings(*command, *settings);
   return {command, [options, settings, seed] {
             options->seed_given = seed->count() > 0;
             options->settings = Settings(*settings);
+            check_settings(options->settings);
             // Whatever is killed here is started again, and must not leave a lock of Fast DDS taken.
             setenv("ENFILADE_SHARED_MEMORY", "off", 0);
             return options->input.empty() ? launch::run_simulated_demo(*options)

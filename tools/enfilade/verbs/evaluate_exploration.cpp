@@ -2,9 +2,10 @@
 #include <iostream>
 #include <memory>
 
-#include "tools/enfilade/report/report.hpp"
+#include "tools/enfilade/verbs/options.hpp"
 #include "tools/enfilade/verbs/verbs.hpp"
 #include "tools/evaluate/exploration/exploration_evaluation.hpp"
+#include "tools/support/files.hpp"
 
 namespace enfilade {
 namespace {
@@ -23,7 +24,7 @@ int run(const ExplorationArguments& arguments) {
   };
   const auto rows = evaluate::evaluate_explorations(config, tell);
   if (config.only_write) return 0;
-  if (!arguments.json.empty()) report::write_file(arguments.json, evaluate::to_json(rows));
+  if (!arguments.json.empty()) write_file(arguments.json, evaluate::to_json(rows));
   std::cout << evaluate::to_text(evaluate::sum_up(rows));
   return 0;
 }
@@ -34,19 +35,21 @@ Verb add_evaluate_exploration(CLI::App& group) {
   auto arguments = std::make_shared<ExplorationArguments>();
   CLI::App* command = group.add_subcommand("exploration", "Whole explorations of random furnished buildings");
   evaluate::ExplorationConfig& config = arguments->config;
-  command->add_option("--buildings", config.buildings, "How many buildings")->check(CLI::Range(1, 100000));
-  command->add_option("--seed", config.spec.seed, "Seed of the first building; the next has the next one");
+  command->add_option("--buildings", config.buildings, "How many buildings")
+      ->check(whole_number_in(1, 100000))
+      ->capture_default_str();
+  add_seed(*command, config.spec.seed, "Seed of the first building; the next has the next one")
+      ->capture_default_str();
   command->add_option("--walkers", config.spec.walkers, "Probability that somebody walks in a room")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(number_in(0.0, 1.0))
+      ->capture_default_str();
   command->add_option("--blocked", config.spec.blocked_doors, "Probability that something stands in a door")
-      ->check(CLI::Range(0.0, 1.0));
-  command->add_option("--worlds", config.worlds, "Keep the world files in this folder");
+      ->check(number_in(0.0, 1.0))
+      ->capture_default_str();
+  add_output_folder(*command, "--worlds", config.worlds, "Keep the world files in this folder");
   command->add_flag("--only-write", config.only_write, "Write the world files, explore nothing");
-  command
-      ->add_option("--set", arguments->settings,
-                   "COMPONENT.KEY=VALUE: override one configuration key; may be repeated")
-      ->allow_extra_args(false);
-  command->add_option("--json", arguments->json, "Write the figures to this file");
+  add_settings(*command, arguments->settings);
+  add_output_file(*command, "--json", arguments->json, "Write the figures to this file");
   return {command, [arguments] { return run(*arguments); }};
 }
 

@@ -5,7 +5,7 @@
 
 #include "components/topoGraph/node/topo_graph_config.hpp"
 #include "interfaces/runtime/command_line.hpp"
-#include "tools/enfilade/report/report.hpp"
+#include "tools/enfilade/verbs/options.hpp"
 #include "tools/enfilade/verbs/verbs.hpp"
 #include "tools/evaluate/graph/graph_evaluation.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 
 struct GraphArguments {
   evaluate::GraphEvaluationConfig config;
-  std::string json, markdown;
+  ReportFiles files;
   bool without_ring = false;
 };
 
@@ -25,9 +25,7 @@ int run(const GraphArguments& arguments) {
   if (!arguments.without_ring)
     config.ring_world = std::filesystem::path(file).parent_path() / "worlds" / "four_rooms_ring.yaml";
   const evaluate::GraphReport result = evaluate::evaluate_graph(config);
-  if (!arguments.json.empty()) report::write_file(arguments.json, evaluate::to_json(result));
-  if (!arguments.markdown.empty())
-    report::write_file(arguments.markdown, evaluate::to_markdown(result, report::today()));
+  write(arguments.files, evaluate::to_json(result), evaluate::to_markdown(result, today()));
   std::cout << evaluate::to_table(result);
   return 0;
 }
@@ -40,11 +38,12 @@ Verb add_evaluate_graph(CLI::App& group) {
       "graph",
       "Global minimisation and loop closing, on synthetic graphs, identical offices and a simulated ring");
   command->add_option("--seeds", arguments->config.seeds, "How many seeds each figure is over")
-      ->check(CLI::Range(1, 100000));
+      ->check(whole_number_in(1, 100000))
+      ->capture_default_str();
   command->add_option("--offices", arguments->config.offices, "Identical offices along the corridor")
-      ->check(CLI::Range(2, 1000));
-  command->add_option("--json", arguments->json, "Write the figures to this file");
-  command->add_option("--markdown", arguments->markdown, "Write a report to this file");
+      ->check(whole_number_in(2, 1000))
+      ->capture_default_str();
+  add_report_files(*command, arguments->files);
   command->add_flag("--without-ring", arguments->without_ring, "Leave out the simulated four-room ring");
   return {command, [arguments] { return run(*arguments); }};
 }

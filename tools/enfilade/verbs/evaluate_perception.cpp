@@ -2,7 +2,7 @@
 #include <iostream>
 #include <memory>
 
-#include "tools/enfilade/report/report.hpp"
+#include "tools/enfilade/verbs/options.hpp"
 #include "tools/enfilade/verbs/verbs.hpp"
 #include "tools/evaluate/perception/evaluation.hpp"
 
@@ -11,14 +11,12 @@ namespace {
 
 struct PerceptionArguments {
   evaluate::PerceptionConfig config;
-  std::string json, markdown;
+  ReportFiles files;
 };
 
 int run(const PerceptionArguments& arguments) {
   const evaluate::PerceptionReport result = evaluate::evaluate_perception(arguments.config);
-  if (!arguments.json.empty()) report::write_file(arguments.json, evaluate::to_json(result));
-  if (!arguments.markdown.empty())
-    report::write_file(arguments.markdown, evaluate::to_markdown(result, report::today()));
+  write(arguments.files, evaluate::to_json(result), evaluate::to_markdown(result, today()));
   std::cout << evaluate::to_table(result);
   return 0;
 }
@@ -29,10 +27,11 @@ Verb add_evaluate_perception(CLI::App& group) {
   auto arguments = std::make_shared<PerceptionArguments>();
   CLI::App* command = group.add_subcommand(
       "perception", "Rooms and doors found in random furnished rooms by the paper's score and by ours");
-  command->add_option("--rooms", arguments->config.rooms, "How many rooms")->check(CLI::Range(1, 100000));
-  command->add_option("--seed", arguments->config.seed, "Seed of rooms and noise");
-  command->add_option("--json", arguments->json, "Write the figures to this file");
-  command->add_option("--markdown", arguments->markdown, "Write a report to this file");
+  command->add_option("--rooms", arguments->config.rooms, "How many rooms")
+      ->check(whole_number_in(1, 100000))
+      ->capture_default_str();
+  add_seed(*command, arguments->config.seed, "Seed of rooms and noise")->capture_default_str();
+  add_report_files(*command, arguments->files);
   return {command, [arguments] { return run(*arguments); }};
 }
 

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "tools/enfilade/map/map_commands.hpp"
+#include "tools/enfilade/verbs/options.hpp"
 #include "tools/enfilade/verbs/verbs.hpp"
 
 namespace enfilade {
@@ -24,12 +25,15 @@ Verb add_export(CLI::App& group) {
   auto options = std::make_shared<map_tool::ExportOptions>();
   CLI::App* command = group.add_subcommand("export", "Write the map in a format of others");
   command->add_option("file", options->file, kMapFile)->required();
-  command->add_option("--format", options->format,
-                      "pgm, png (map_server, with its YAML), bt (OctoMap), svg, geojson, graphml, indoorgml; "
-                      "by the ending of --out by default");
-  command->add_option("--out", options->out, "File to write")->required();
-  command->add_option("--resolution", options->resolution_m, "Side of a cell, m, for pgm, png and bt");
-  command->add_option("--rooms", options->rooms, "Only these rooms, as 1,2,5")->delimiter(',');
+  command->add_option(
+      "--format", options->format,
+      "pgm, png (map_server, with its YAML), bt (OctoMap), svg, geojson, graphml, indoorgml; by "
+      "default as --out ends, .gml being IndoorGML, .json GeoJSON, .yaml map_server");
+  add_output_file(*command, "--out", options->out, "File to write")->required();
+  command->add_option("--resolution", options->resolution_m, "Side of a cell, m, for pgm, png and bt")
+      ->check(number_in(0.005, 5.0))
+      ->capture_default_str();
+  add_numbers(*command, "--rooms", options->rooms, "Only these rooms, as 1,2,5");
   return {command, [options] {
             for (const std::string& file : map_tool::export_map(*options))
               std::cout << "wrote " << file << "\n";
@@ -44,8 +48,7 @@ Verb add_map_route(CLI::App& group) {
   command->add_option("--from", options->from, "A room's number or name, or X,Y in the map frame")
       ->required();
   command->add_option("--to", options->to, "A room's number or name, or X,Y in the map frame")->required();
-  command->add_option("--closed", options->closed, "Door that cannot be used; may be repeated")
-      ->delimiter(',')
+  add_numbers(*command, "--closed", options->closed, "Door that cannot be used; may be repeated")
       ->allow_extra_args(false);
   return {command, [options] {
             const auto way = map_tool::route(*options);
@@ -72,11 +75,11 @@ Verb add_check(CLI::App& group) {
 
 Verb add_merge(CLI::App& group) {
   auto words = std::make_shared<std::vector<std::string>>(3);
-  CLI::App* command =
-      group.add_subcommand("merge", "Join two maps that have rooms in common, without sessions");
+  CLI::App* command = group.add_subcommand(
+      "merge", "Join two maps that have rooms in common; where a robot stood is not kept");
   command->add_option("first", (*words)[0], "Map file that stays where it is")->required();
   command->add_option("second", (*words)[1], "Map file that is laid onto it")->required();
-  command->add_option("--out", (*words)[2], "Map file to write")->required();
+  add_output_file(*command, "--out", (*words)[2], "Map file to write")->required();
   return {command, [words] {
             std::cout << map_tool::merge((*words)[0], (*words)[1], (*words)[2]);
             return 0;
@@ -112,7 +115,7 @@ Verb add_map_mark(CLI::App& group) {
   CLI::App* command = group.add_subcommand(
       "mark", "Note that a door is closed, or open again; not while a topoGraph keeps its map in the file");
   command->add_option("file", options->file, kMapFile)->required();
-  command->add_option("door", options->door, "Its number")->required();
+  command->add_option("door", options->door, "Its number")->required()->check(whole_number());
   add_closed_or_open(*command, options->closed);
   return {command, [options] {
             map_tool::mark(*options);
@@ -125,15 +128,10 @@ Verb add_map_mark(CLI::App& group) {
 
 Verb add_map(CLI::App& app) {
   CLI::App* group = app.add_subcommand("map", "Look at a map file, check it, find ways in it, export it");
-  group->require_subcommand(1);
   const std::vector<Verb> verbs{add_show(*group),     add_export(*group), add_map_route(*group),
                                 add_check(*group),    add_rename(*group), add_restore(*group),
                                 add_map_mark(*group), add_merge(*group)};
-  return {group, [verbs] {
-            for (const Verb& verb : verbs)
-              if (verb.command->parsed()) return verb.run();
-            return 2;
-          }};
+  return {group, [group, verbs] { return run_chosen(*group, verbs); }};
 }
 
 }  // namespace enfilade

@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 
 #include "components/topoGraph/storage/map_file.hpp"
-#include "tools/enfilade/composed_run.hpp"
+#include "tools/enfilade/verbs/options.hpp"
 #include "tools/enfilade/verbs/verbs.hpp"
+#include "tools/launch/composed_run.hpp"
+#include "tools/support/files.hpp"
 
 namespace enfilade {
 namespace {
@@ -38,7 +40,7 @@ int run(const RunArguments& arguments, bool seed_given) {
     report::write_files(report, arguments.out);
     topo_graph::save_map(std::filesystem::path(arguments.out) / "map.yaml", report.record.map);
   }
-  if (!arguments.json.empty()) report::write_file(arguments.json, report::to_json(report));
+  if (!arguments.json.empty()) write_file(arguments.json, report::to_json(report));
   std::cout << report::to_table(report);
   if (report.record.finished()) return 0;
   std::cerr << fmt::format("enfilade run: the exploration did not finish: {}\n",
@@ -55,17 +57,15 @@ Verb add_run(CLI::App& app) {
                                          "a virtual clock, repeatable to the byte but for wall_time_s");
   command->add_option("world", arguments->world, "World file (etc/worlds/*.yaml, or a map_server map.yaml)")
       ->required();
-  CLI::Option* seed = command->add_option("--seed", arguments->seed, "Seed of the simulator's noise");
-  command->add_option("--json", arguments->json, "Write the report to this file");
-  command->add_option("--out", arguments->out,
-                      "Write report.json, map.yaml and the pictures into this folder");
-  command
-      ->add_option("--set", arguments->settings,
-                   "COMPONENT.KEY=VALUE: override one configuration key; may be repeated")
-      ->allow_extra_args(false);
+  CLI::Option* seed = add_seed(*command, arguments->seed, "Seed of the simulator's noise");
+  add_output_file(*command, "--json", arguments->json, "Write the report to this file");
+  add_output_folder(*command, "--out", arguments->out,
+                    "Write report.json, map.yaml and the pictures into this folder");
+  add_settings(*command, arguments->settings);
   command
       ->add_option("--max-sim-time", arguments->max_sim_time_s, "Give up after this many simulated seconds")
-      ->check(CLI::PositiveNumber);
+      ->check(number_in(0.001, 1e9))
+      ->capture_default_str();
   command
       ->add_option(
           "--kill", arguments->kills,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -13,6 +14,9 @@ struct Verb {
   CLI::App* command = nullptr;
   std::function<int()> run;
 };
+
+/// Runs the one of `verbs` that was chosen; says so where none was.
+int run_chosen(const CLI::App& group, const std::vector<Verb>& verbs);
 
 /// `enfilade run WORLD`: simulator and components in one process, faster than real time.
 Verb add_run(CLI::App& app);

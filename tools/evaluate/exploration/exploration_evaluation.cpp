@@ -6,7 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "tools/enfilade/composed_run.hpp"
+#include "tools/launch/composed_run.hpp"
+#include "tools/support/files.hpp"
 #include "tools/support/scratch_folder.hpp"
 
 namespace enfilade::evaluate {
@@ -38,13 +39,13 @@ std::vector<ExplorationRow> evaluate_explorations(const ExplorationConfig& confi
   std::optional<ScratchFolder> scratch;
   std::filesystem::path folder = config.worlds;
   if (folder.empty()) folder = scratch.emplace().path();
-  std::filesystem::create_directories(folder);
+  make_folder(folder);
   std::vector<ExplorationRow> rows;
   for (int i = 0; i < config.buildings; ++i) {
     BuildingSpec spec = config.spec;
     spec.seed += static_cast<std::uint64_t>(i);
     const std::filesystem::path world = folder / fmt::format("random_{}.yaml", spec.seed);
-    report::write_file(world, world_yaml(random_building(spec)));
+    write_file(world, world_yaml(random_building(spec)));
     if (config.only_write) continue;
     const ComposedRunOptions options{.world = world,
                                      .seed = spec.seed,

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "tools/enfilade/settings.hpp"
 #include "tools/evaluate/exploration/random_building.hpp"
+#include "tools/launch/settings.hpp"
 
 namespace enfilade::evaluate {
 

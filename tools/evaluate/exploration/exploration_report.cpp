@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "interfaces/model/counted.hpp"
 #include "tools/evaluate/exploration/exploration_evaluation.hpp"
 
 namespace enfilade::evaluate {
@@ -33,21 +34,22 @@ Json row_json(const ExplorationRow& row) {
 
 std::string to_line(const ExplorationRow& row) {
   return fmt::format(
-      "building {:>4}: rooms {}/{} (+{}), doors {}/{} (+{}), {} collisions, size error {:.3f} m at most, "
+      "building {:>4}: rooms {}/{} (+{}), doors {}/{} (+{}), {}, size error {:.3f} m at most, "
       "{:.0f} s{}\n",
       row.seed, row.rooms_right, row.rooms_true, row.rooms_found - row.rooms_right, row.doors_right,
-      row.doors_true, row.doors_found - row.doors_right, row.collisions, row.size_error_max_m.value_or(0.0),
-      row.sim_time_s, row.finished ? "" : ": not finished, " + row.ended_with);
+      row.doors_true, row.doors_found - row.doors_right, counted(row.collisions, "collision"),
+      row.size_error_max_m.value_or(0.0), row.sim_time_s,
+      row.finished ? "" : ": not finished, " + row.ended_with);
 }
 
 std::string to_text(const ExplorationTotals& t) {
   return fmt::format(
-      "{} buildings: {} finished, {} without any flaw; rooms {} of {} (and {} that are none), doors {} of {} "
+      "{}: {} finished, {} without any flaw; rooms {} of {} (and {} that are none), doors {} of {} "
       "(and {} "
-      "that are none), {} collisions; sizes off by {:.1f} mm on average, {:.3f} m at most\n",
-      t.buildings, t.finished, t.flawless, t.rooms_right, t.rooms_true, t.rooms_found - t.rooms_right,
-      t.doors_right, t.doors_true, t.doors_found - t.doors_right, t.collisions, 1e3 * t.size_error_mean_m,
-      t.size_error_max_m);
+      "that are none), {}; sizes off by {:.1f} mm on average, {:.3f} m at most\n",
+      counted(t.buildings, "building"), t.finished, t.flawless, t.rooms_right, t.rooms_true,
+      t.rooms_found - t.rooms_right, t.doors_right, t.doors_true, t.doors_found - t.doors_right,
+      counted(t.collisions, "collision"), 1e3 * t.size_error_mean_m, t.size_error_max_m);
 }
 
 std::string to_json(const std::vector<ExplorationRow>& rows) {

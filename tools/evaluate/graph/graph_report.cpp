@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "interfaces/model/counted.hpp"
 #include "tools/evaluate/graph/graph_evaluation.hpp"
 
 namespace enfilade::evaluate {
@@ -35,9 +36,10 @@ std::string solver_lines(const GraphReport& report, const char* format) {
 std::string offices_line(const GraphReport& report) {
   const OfficeResult& o = report.offices;
   return fmt::format(
-      "{} identical offices, {} seeds: {} false closures, {} missed rooms, {} modelled twice; "
+      "{}, {}: {}, {}, {} modelled twice; "
       "largest error of a room's place {:.2f} m",
-      report.config.offices, report.config.seeds, o.false_closures, o.missed_rooms, o.duplicates,
+      counted(report.config.offices, "identical office"), counted(report.config.seeds, "seed"),
+      counted(o.false_closures, "false closure"), counted(o.missed_rooms, "missed room"), o.duplicates,
       o.pose_error_max_m);
 }
 
@@ -74,8 +76,8 @@ std::string to_table(const GraphReport& report) {
   out += solver_lines(report, "{:<9} {:>5} {:>5} {:<6} {:>9.1f} {:>10.1f} {:>10.3f} {:>8.3f}\n");
   out += "\n" + offices_line(report) + "\n" + ring_line(report) + "\n";
   if (report.journal)
-    out +=
-        fmt::format("Journal: {} kills, {} rooms lost\n", report.journal->kills, report.journal->lost_rooms);
+    out += fmt::format("Journal: {}, {} lost\n", counted(report.journal->kills, "kill"),
+                       counted(report.journal->lost_rooms, "room"));
   return out;
 }
 

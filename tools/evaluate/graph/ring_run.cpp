@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/enfilade/composed_run.hpp"
 #include "tools/evaluate/graph/graph_evaluation.hpp"
+#include "tools/launch/composed_run.hpp"
 
 namespace enfilade::evaluate {
 

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "interfaces/model/counted.hpp"
+
 namespace enfilade::evaluate {
 namespace {
 
@@ -23,8 +25,8 @@ LatencyJson shares_json(const LatencyShares& shares) {
 std::string to_table(const LatencyReport& report) {
   std::string text;
   for (const auto& [transport, figures] : report.parts) {
-    text += fmt::format("{}: {} lines, {} with an estimate of their own\n", transport, figures.lines,
-                        figures.own_estimates);
+    text += fmt::format("{}: {}, {} with an estimate of their own\n", transport,
+                        counted(figures.lines, "line"), figures.own_estimates);
     text += fmt::format("  {:<48} {:>7} {:>7} {:>7} {:>8}\n", "ms", "p50", "p90", "p99", "max");
     text += hop_row("joint sample -> points (laser3D)", figures.laser);
     text += hop_row("points -> grid change (gridBuilder)", figures.grid);

@@ -9,8 +9,8 @@
 
 #include "interfaces/geometry/angles.hpp"
 #include "interfaces/topics/topics.hpp"
-#include "tools/enfilade/launch/demo.hpp"
-#include "tools/enfilade/launch/session.hpp"
+#include "tools/launch/demo.hpp"
+#include "tools/launch/session.hpp"
 #include "tools/support/scratch_folder.hpp"
 
 namespace enfilade::evaluate {

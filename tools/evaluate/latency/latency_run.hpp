@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "tools/enfilade/settings.hpp"
 #include "tools/evaluate/latency/latency.hpp"
+#include "tools/launch/settings.hpp"
 
 namespace enfilade::evaluate {
 

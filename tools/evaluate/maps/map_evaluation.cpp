@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "tools/enfilade/room/find_room.hpp"
 #include "tools/evaluate/maps/plan_rooms.hpp"
 #include "tools/evaluate/perception/in_parallel.hpp"
+#include "tools/room/find_room.hpp"
 
 namespace enfilade::evaluate {
 namespace {

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tools/enfilade/draw/svg.hpp"
+#include "interfaces/model/counted.hpp"
+#include "tools/draw/svg.hpp"
 #include "tools/evaluate/maps/map_evaluation.hpp"
+#include "tools/support/rectangle_json.hpp"
 
 namespace enfilade::evaluate {
 namespace {
@@ -13,15 +15,12 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kAbout = 0.7, kRight = 0.9;
-constexpr double kPixelsPerM = 12.0;
-
-Json rectangle_json(const Rectangle& r) {
-  return {{"x_m", r.x_m},
-          {"y_m", r.y_m},
-          {"yaw_rad", r.yaw_rad},
-          {"width_m", r.width_m},
-          {"height_m", r.height_m}};
-}
+constexpr double kPixelsPerM = 16.0;
+const draw::Paint kPlanWalls{.stroke = "#888", .width_px = 3.0};
+const draw::Paint kTrueRoom{.stroke = "#2a2", .width_px = 1.0, .dash = "3 2"};
+const draw::Paint kRightRoom{.stroke = "#16c", .width_px = 1.5};
+const draw::Paint kAboutRoom{.stroke = "#e80", .width_px = 1.5};
+const draw::Paint kWrongRoom{.stroke = "#d11", .width_px = 1.5};
 
 struct Tally {
   int rooms = 0, rectangular = 0, places = 0, about = 0, right = 0;
@@ -43,6 +42,17 @@ struct Tally {
                        share(right));
   }
 };
+
+std::string title_of(const MapResult& result) {
+  return result.name + (result.is_furnished ? ", furnished" : "");
+}
+
+std::string summary_of(const MapResult& result) {
+  Tally tally;
+  tally.add(result);
+  return fmt::format("{}, {} of them rectangular; found from {} of {}", counted(tally.rooms, "room"),
+                     tally.rectangular, tally.right, counted(tally.places, "place"));
+}
 
 }  // namespace
 
@@ -75,7 +85,7 @@ std::string to_markdown(const std::vector<MapResult>& results) {
       Tally one;
       one.add(result);
       all.add(result);
-      out += one.row(result.name + (is_furnished ? ", furnished" : ""));
+      out += one.row(title_of(result));
     }
     out += all.row(is_furnished ? "**all, furnished**" : "**all**");
   }
@@ -88,13 +98,19 @@ std::string to_svg(const MapResult& result) {
   if (bounds.empty()) bounds.include(Point2::Zero());
   bounds.grow(0.5);
   draw::SvgCanvas canvas(bounds, kPixelsPerM);
-  canvas.dots(result.walls, 1.0, "#888");
+  canvas.dots(result.walls, 1.0, kPlanWalls.stroke);
+  for (const MapPlace& place : result.places) canvas.rectangle(place.truth, kTrueRoom);
   for (const MapPlace& place : result.places) {
-    canvas.rectangle(place.truth, {.stroke = "#2a2", .width_px = 1.0, .fill = "", .dash = "3 2"});
-    const std::string colour = place.iou > kRight ? "#16c" : place.iou > kAbout ? "#e80" : "#d11";
-    if (place.found) canvas.rectangle(*place.found, {.stroke = colour, .width_px = 1.5});
-    canvas.disc(place.at, 2.5, {.stroke = "", .fill = colour});
+    const draw::Paint& paint = place.iou > kRight ? kRightRoom : place.iou > kAbout ? kAboutRoom : kWrongRoom;
+    if (place.found) canvas.rectangle(*place.found, paint);
+    canvas.disc(place.at, 2.5, {.stroke = "", .fill = paint.stroke});
   }
+  canvas.title(title_of(result), summary_of(result));
+  canvas.legend({{kPlanWalls, "drawn"},
+                 {kTrueRoom, "true room"},
+                 {kRightRoom, fmt::format("IoU > {}", kRight)},
+                 {kAboutRoom, fmt::format("IoU > {}", kAbout)},
+                 {kWrongRoom, "less, or nothing"}});
   return canvas.str();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/simulator/world/grey_image.hpp"
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -52,7 +53,8 @@ GreyImage read_png(const std::string& file) {
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
   if (!png_image_begin_read_from_file(&png, file.c_str()))
-    throw std::runtime_error(file + " is no readable PNG: " + png.message);
+    throw std::runtime_error(file + " is neither a PGM nor a PNG that can be read (" + png.message +
+                             "): save the map again");
   png.format = PNG_FORMAT_RGB;
   if (png.width > kMostPixelsPerSide || png.height > kMostPixelsPerSide) {
     png_image_free(&png);
@@ -61,7 +63,7 @@ GreyImage read_png(const std::string& file) {
   std::vector<std::uint8_t> rgb(PNG_IMAGE_SIZE(png));
   const png_color half_grey{127, 127, 127};
   if (!png_image_finish_read(&png, &half_grey, rgb.data(), 0, nullptr))
-    throw std::runtime_error(file + " is damaged: " + png.message);
+    throw std::runtime_error(file + " is damaged (" + png.message + "): save the map again");
   GreyImage image{static_cast<int>(png.width), static_cast<int>(png.height), {}};
   for (std::size_t i = 0; i + 2 < rgb.size(); i += 3)
     image.pixels.push_back(static_cast<std::uint8_t>((rgb[i] + rgb[i + 1] + rgb[i + 2]) / 3));
@@ -72,7 +74,8 @@ GreyImage read_png(const std::string& file) {
 
 GreyImage read_grey_image(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
-  if (!in) throw std::runtime_error(file + " cannot be read: check the path");
+  if (!in || std::filesystem::is_directory(file))
+    throw std::runtime_error(file + " cannot be read: check the path");
   char magic[2] = {};
   in.read(magic, 2);
   if (magic[0] == 'P' && (magic[1] == '2' || magic[1] == '5')) return read_pgm(in, magic[1] == '5', file);

@@ -2,18 +2,30 @@
 #include "tools/simulator/world/load_world.hpp"
 
 #include <filesystem>
+#include <stdexcept>
 
 #include "interfaces/runtime/config.hpp"
+#include "interfaces/runtime/read_file.hpp"
 #include "tools/simulator/world/readers.hpp"
 
 namespace enfilade::simulator {
 namespace {
 
-YAML::Node parse(const std::string& file) {
+std::string read_world(const std::string& file) {
   try {
-    return YAML::LoadFile(file);
-  } catch (const YAML::BadFile&) {
-    throw ConfigError(file + ":1: the world file cannot be read: check the path");
+    return read_file(file);
+  } catch (const std::runtime_error& error) {
+    throw ConfigError(error.what());
+  }
+}
+
+YAML::Node parse(const std::string& file) {
+  const std::string text = read_world(file);
+  try {
+    const YAML::Node world = YAML::Load(text);
+    if (world.IsMap()) return world;
+    throw ConfigError(file + ":1: is no world: write a map of 'key: value' with 'rooms' (a floor plan) or " +
+                      "'image' (a map_server map)");
   } catch (const YAML::ParserException& e) {
     throw ConfigError(file + ":" + std::to_string(e.mark.line + 1) + ": not YAML (" + e.msg +
                       "): mend this line");

@@ -5,10 +5,13 @@
 #include <cmath>
 #include <sstream>
 
+#include "interfaces/model/counted.hpp"
 #include "interfaces/runtime/config.hpp"
 
 namespace enfilade::simulator {
 namespace {
+
+constexpr std::size_t kMostTold = 8;
 
 /// From 1; an empty document has no mark.
 int line_of(const YAML::Node& node) { return std::max(node.Mark().line + 1, 1); }
@@ -24,7 +27,10 @@ std::string shown(double value) {
 void YamlProblems::throw_if_any() const {
   if (lines_.empty()) return;
   std::string all;
-  for (const std::string& line : lines_) all += (all.empty() ? "" : "\n") + line;
+  for (std::size_t i = 0; i < std::min(kMostTold, lines_.size()); ++i)
+    all += (i == 0 ? "" : "\n") + lines_[i];
+  if (lines_.size() > kMostTold)
+    all += "\n… and " + counted(lines_.size() - kMostTold, "problem") + " more in this file";
   throw ConfigError(all);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/enfilade/settings.hpp"
+#include "tools/launch/settings.hpp"
 
 #include <gtest/gtest.h>
 

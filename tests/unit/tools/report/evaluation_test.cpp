@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/enfilade/report/evaluation.hpp"
+#include "tools/report/evaluation.hpp"
 
 #include <gtest/gtest.h>
 

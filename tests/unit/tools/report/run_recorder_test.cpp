@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/enfilade/report/run_recorder.hpp"
+#include "tools/report/run_recorder.hpp"
 
 #include <gtest/gtest.h>
 

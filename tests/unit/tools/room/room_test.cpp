@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "tools/enfilade/room/find_room.hpp"
+#include "tools/room/find_room.hpp"
 #include "tools/support/scratch_folder.hpp"
 
 namespace enfilade::room {

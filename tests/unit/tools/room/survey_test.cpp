@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <octomap/OcTree.h>
 
-#include "tools/enfilade/room/view.hpp"
+#include "tools/room/view.hpp"
 #include "tools/support/scratch_folder.hpp"
 
 namespace enfilade::room {

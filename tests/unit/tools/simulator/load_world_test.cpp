@@ -73,7 +73,9 @@ TEST(LoadWorld, RefusesAWorldWithoutRooms) {
   EXPECT_NE(problems_of("rooms: []\nstart: {x_m: 0}\n").find("a world needs at least one room"),
             std::string::npos);
   EXPECT_NE(problems_of("name: nothing\n").find("neither 'rooms'"), std::string::npos);
-  EXPECT_NE(problems_of("").find("1: a map of 'key: value' is needed here"), std::string::npos);
+  for (const char* const text : {"", "hello\n", "- 1\n"})
+    EXPECT_NE(problems_of(text).find("1: is no world: write a map of 'key: value'"), std::string::npos)
+        << text;
 }
 
 TEST(LoadWorld, SaysWhatElseCanBeWrong) {

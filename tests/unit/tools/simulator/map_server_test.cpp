@@ -132,7 +132,7 @@ TEST(MapServer, SaysWhatIsWrongWithTheImage) {
   file.add("map.pgm", pgm().substr(0, 40));
   EXPECT_NE(problem().find("truncated"), std::string::npos) << problem();
   file.add("map.pgm", "GIF89a");
-  EXPECT_NE(problem().find("no readable PNG"), std::string::npos) << problem();
+  EXPECT_NE(problem().find("neither a PGM nor a PNG"), std::string::npos) << problem();
 }
 
 }  // namespace
