@@ -4,14 +4,15 @@
 namespace enfilade::grid_builder {
 
 CellStore::CellStore(const Limits& limits) : limits_(limits) {
-  outside_.fill(kTouched);
-  no_memory_.fill(kTouched);
+  for (std::size_t i = 0; i < kTileCells; ++i) {
+    outside_.touch(i);
+    no_memory_.touch(i);
+  }
 }
 
 Cell CellStore::find(const CellIndex& c) const {
   const auto tile = tiles_.find(tile_key(c));
-  return tile == tiles_.end() ? kUnexplored
-                              : static_cast<Cell>((*tile->second)[offset_in_tile(c)] & ~kTouched);
+  return tile == tiles_.end() ? kUnexplored : tile->second->cell(offset_in_tile(c));
 }
 
 const Tile* CellStore::find_tile(const CellIndex& c) const {
@@ -46,7 +47,7 @@ std::unique_ptr<Tile> CellStore::make_tile(int bottom_z) const {
   auto tile = std::make_unique<Tile>();
   for (std::size_t i = 0; i < kTileCells; ++i) {
     const int z = bottom_z + static_cast<int>(i & (kTileSide - 1));
-    if (z < limits_.lowest_z || z > limits_.highest_z) (*tile)[i] = kTouched;
+    if (z < limits_.lowest_z || z > limits_.highest_z) tile->touch(i);
   }
   return tile;
 }

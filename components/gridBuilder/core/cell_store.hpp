@@ -7,26 +7,13 @@
 #include <memory>
 #include <unordered_map>
 
-#include "components/gridBuilder/core/cell_index.hpp"
-#include "components/gridBuilder/core/certainties.hpp"
+#include "components/gridBuilder/core/tile.hpp"
 
 namespace enfilade::grid_builder {
 
-inline constexpr int kTileSideBits = 4;
-inline constexpr int kTileSide = 1 << kTileSideBits;
-inline constexpr std::size_t kTileCells = std::size_t{1} << (3 * kTileSideBits);
-using Tile = std::array<Cell, kTileCells>;
-
-/// Place of a cell in its tile.
-inline std::size_t offset_in_tile(const CellIndex& c) {
-  constexpr int kMask = kTileSide - 1;
-  return static_cast<std::size_t>((c.x & kMask) << (2 * kTileSideBits) | (c.y & kMask) << kTileSideBits |
-                                  (c.z & kMask));
-}
-
-/// Dense cells in cubes of 16³ (8 KiB) that come into being when first asked for, at most `max_tiles` of
-/// them. Cells outside the layers lowest_z … highest_z do not exist: they count as touched for ever and stay
-/// unexplored, so that who walks through them leaves them alone.
+/// Dense cells in cubes of 16³ that come into being when first asked for, at most `max_tiles` of them. Cells
+/// outside the layers lowest_z … highest_z do not exist: they count as touched for ever and stay unexplored,
+/// so that who walks through them leaves them alone.
 class CellStore {
  public:
   struct Limits {
@@ -67,7 +54,8 @@ class CellStore {
   void for_each_known(Visit&& visit) const {
     for (const auto& [key, tile] : tiles_) {
       for (std::size_t i = 0; i < kTileCells; ++i) {
-        if (is_known((*tile)[i])) visit(cell_index(key, i), static_cast<Cell>((*tile)[i] & ~kTouched));
+        const Cell cell = tile->cell(i);
+        if (cell != kUnexplored) visit(cell_index(key, i), cell);
       }
     }
   }

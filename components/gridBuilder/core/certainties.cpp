@@ -23,7 +23,7 @@ Cell Certainties::number_of(Cell before, float log_odds) {
 Cell Certainties::find_or_add(float log_odds) {
   const auto above = numbers_.lower_bound(log_odds);
   if (above != numbers_.end() && above->first == log_odds) return above->second;
-  if (log_odds_.size() < kTouched) {
+  if (log_odds_.size() < kStateChanges) {
     const auto number = static_cast<Cell>(log_odds_.size());
     log_odds_.push_back(log_odds);
     steps_.emplace_back();

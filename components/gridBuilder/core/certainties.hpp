@@ -9,13 +9,9 @@
 
 namespace enfilade::grid_builder {
 
-/// What a cell remembers, in 16 bits: the number of its certainty, and whether the line under way has touched
-/// it.
+/// What a cell remembers: the number of its certainty, in 15 bits.
 using Cell = std::uint16_t;
-inline constexpr Cell kTouched = 0x8000;
 inline constexpr Cell kUnexplored = 0;
-
-inline bool is_known(Cell cell) { return (cell & ~kTouched) != kUnexplored; }
 
 /// How certainty moves: log-odds per hit and miss, and where they stop.
 struct CertaintyRule {
@@ -23,8 +19,8 @@ struct CertaintyRule {
 };
 
 /// The log-odds that cells have come to, numbered in the order of first sight. They are the sums that floats
-/// give, and few: cells share the history "seen five times, then missed twice". A number takes half the
-/// memory of the sum, and what follows from it need be worked out only once.
+/// give, and few: cells share the history "seen five times, then missed twice". A number takes less memory
+/// than the sum, and what follows from it need be worked out only once.
 class Certainties {
  public:
   static constexpr Cell kStateChanges = 0x8000;

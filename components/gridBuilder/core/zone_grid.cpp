@@ -11,7 +11,7 @@
 namespace enfilade::grid_builder {
 namespace {
 
-constexpr std::size_t kTilesPerMb = (1 << 20) / sizeof(Tile);
+constexpr std::size_t kTilesPerMb = (1 << 20) / Tile::kBytes;
 /// Cells travel as 16-bit numbers.
 constexpr double kLastCell = std::numeric_limits<std::int16_t>::max();
 
@@ -68,7 +68,7 @@ LineUpdate ZoneGrid::insert(const ScanLine& line) {
 
 void ZoneGrid::begin_line(StampNs stamp_ns) {
   line_stamp_ns_ = stamp_ns;
-  for (Cell* cell : touched_) *cell = static_cast<Cell>(*cell & ~kTouched);
+  for (const Tile::Mark mark : touched_) Tile::take_off(mark);
   touched_.clear();
   hit_.clear();
 }
@@ -86,14 +86,13 @@ CellState ZoneGrid::state(const CellIndex& cell) const { return certainties_.sta
 std::array<CellState, kTileCells> ZoneGrid::tile_states(const CellIndex& cell) const {
   std::array<CellState, kTileCells> states{};
   const Tile* tile = cells_.find_tile(cell);
-  for (std::size_t i = 0; tile && i < kTileCells; ++i)
-    states[i] = certainties_.state(static_cast<Cell>((*tile)[i] & ~kTouched));
+  for (std::size_t i = 0; tile && i < kTileCells; ++i) states[i] = certainties_.state(tile->cell(i));
   return states;
 }
 
 std::optional<double> ZoneGrid::probability(const CellIndex& index) const {
   const Cell cell = cells_.find(index);
-  if (!is_known(cell)) return std::nullopt;
+  if (cell == kUnexplored) return std::nullopt;
   return 1.0 / (1.0 + std::exp(-static_cast<double>(certainties_.log_odds(cell))));
 }
 
@@ -125,12 +124,12 @@ void ZoneGrid::mark_hit(const CellIndex& index, LineUpdate& update) {
     ++update.cells_without_memory;
     return;
   }
-  Cell& cell = tile[offset_in_tile(index)];
-  if ((cell & kTouched) == 0) {
-    set(cell, certainties_.after_hit(cell), index, update);
+  const std::size_t offset = offset_in_tile(index);
+  if (!tile.is_touched(offset)) {
+    set(tile, offset, certainties_.after_hit(tile.cell(offset)), index, update);
   } else if (std::find(hit_.begin(), hit_.end(), index) == hit_.end()) {
     // An earlier part of this line has carved the cell: hits win, so that is taken back.
-    set(cell, certainties_.after_hit_for_miss(static_cast<Cell>(cell & ~kTouched)), index, update);
+    set(tile, offset, certainties_.after_hit_for_miss(tile.cell(offset)), index, update);
   }
   hit_.push_back(index);
 }
@@ -142,20 +141,18 @@ void ZoneGrid::carve(const Point3f& origin, const Point3f& end, LineUpdate& upda
   if (!within_range(origin, end)) to = from + (to - from).normalized() * (config_.max_range_m * cells_per_m_);
   walk_ray(
       cells_, from, to,
-      [&](Cell& cell, int x, int y, int z) {
-        if ((cell & kTouched) == 0) set(cell, certainties_.after_miss(cell), {x, y, z}, update);
+      [&](Tile& tile, std::size_t offset, int x, int y, int z) {
+        if (!tile.is_touched(offset))
+          set(tile, offset, certainties_.after_miss(tile.cell(offset)), {x, y, z}, update);
       },
       [&](const Tile& tile) { update.cells_without_memory += cells_.is_missing(tile); });
 }
 
 /// `next` is what Certainties told.
-void ZoneGrid::set(Cell& cell, Cell next, const CellIndex& index, LineUpdate& update) {
-  if ((next & Certainties::kStateChanges) != 0) {
-    const auto number = static_cast<Cell>(next & ~Certainties::kStateChanges);
-    update.changes.push_back(to_grid_cell(index, certainties_.state(number)));
-  }
-  cell = next | kTouched;
-  touched_.push_back(&cell);
+void ZoneGrid::set(Tile& tile, std::size_t offset, Cell next, const CellIndex& index, LineUpdate& update) {
+  const auto cell = static_cast<Cell>(next & ~Certainties::kStateChanges);
+  if (cell != next) update.changes.push_back(to_grid_cell(index, certainties_.state(cell)));
+  touched_.push_back(tile.set(offset, cell));
 }
 
 bool ZoneGrid::usable(const Point3f& origin, const Point3f& end) const {

@@ -83,7 +83,7 @@ class ZoneGrid {
   void begin_line(StampNs stamp_ns);
   void mark_hit(const CellIndex& cell, LineUpdate& update);
   void carve(const Point3f& origin, const Point3f& end, LineUpdate& update);
-  void set(Cell& cell, Cell next, const CellIndex& index, LineUpdate& update);
+  void set(Tile& tile, std::size_t offset, Cell next, const CellIndex& index, LineUpdate& update);
 
   bool usable(const Point3f& origin, const Point3f& end) const;
   bool within_range(const Point3f& origin, const Point3f& end) const;
@@ -95,8 +95,8 @@ class ZoneGrid {
   int lowest_z_, highest_z_;
   CellStore cells_;
   Certainties certainties_;
-  std::vector<Cell*> touched_;  ///< by the line under way
-  std::vector<CellIndex> hit_;  ///< by the line under way; sorted within each of its parts
+  std::vector<Tile::Mark> touched_;  ///< by the line under way
+  std::vector<CellIndex> hit_;       ///< by the line under way; sorted within each of its parts
   std::optional<StampNs> line_stamp_ns_;
 };
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <set>
+
 #include <gtest/gtest.h>
 #include <octomap/OcTree.h>
 
@@ -69,6 +71,26 @@ TEST_P(OctoMapOracle, GivesEveryCellTheSameStateWhenFurnitureMoves) {
 }
 
 INSTANTIATE_TEST_SUITE_P(RandomRooms, OctoMapOracle, testing::Range(1, 5));
+
+/// Where a beam hits a cell as often as it passes, hardly two histories give the same sum.
+TEST(Octree, GivesACellTheSameLogOddsAfterAnyHistory) {
+  ZoneGrid grid({});
+  const auto tree = make_octree({});
+  const Point3f origin{0.025F, 0.025F, 0.625F}, at{1.025F, 0.025F, 0.625F}, beyond{2.025F, 0.025F, 0.625F};
+  std::mt19937 engine(1);
+  std::set<float> sums;
+  for (int i = 0; i < 5000; ++i) {
+    const bool is_hit = engine() % 16 < 5;
+    grid.insert({i + 1, origin, {is_hit ? at : beyond}, {}});
+    sums.insert(tree->updateNode(octomap::point3d(at.x_m, at.y_m, at.z_m), is_hit)->getLogOdds());
+    float log_odds = 0.0F;
+    grid.for_each_known([&](const CellIndex& cell, float known) {
+      if (cell == grid.cell_at(at)) log_odds = known;
+    });
+    ASSERT_EQ(log_odds, tree->search(at.x_m, at.y_m, at.z_m)->getLogOdds()) << "line " << i;
+  }
+  EXPECT_GT(sums.size(), 500u);  // more than a byte can tell
+}
 
 TEST(Octree, HoldsTheSameCellsAndCertaintiesAsTheGrid) {
   ZoneGrid grid({});
