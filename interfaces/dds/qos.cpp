@@ -44,7 +44,10 @@ EntityQos common_qos(const TopicInfo& topic, int max_samples) {
   qos.resource_limits().max_samples_per_instance = max_samples;
   qos.resource_limits().allocated_samples = std::min(topic.qos.depth, 8);
   qos.liveliness().kind = dds::AUTOMATIC_LIVELINESS_QOS;
-  qos.endpoint().history_memory_policy = eprosima::fastrtps::rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+  // Buffers that are kept have room for the largest sample that ever was in them.
+  qos.endpoint().history_memory_policy =
+      may_be_large(topic) ? eprosima::fastrtps::rtps::DYNAMIC_RESERVE_MEMORY_MODE
+                          : eprosima::fastrtps::rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
   qos.data_sharing().off();
   return qos;
 }

@@ -178,10 +178,10 @@ void complain(const std::string& component, const std::string& what) {
 }
 
 /// Left alone, the allocator keeps ever larger blocks to itself once one was freed, up to 32 MB: what a
-/// growing table leaves behind each time it moves would stay resident.
+/// growing table or a large message leaves behind would stay resident.
 void give_back_large_blocks() {
 #ifdef __GLIBC__
-  constexpr int kLarge_bytes = 1 << 20;
+  constexpr int kLarge_bytes = 1 << 18;
   mallopt(M_MMAP_THRESHOLD, kLarge_bytes);
 #endif
 }
