@@ -7,6 +7,7 @@
 
 #include "components/topoGraph/node/story.hpp"
 #include "components/topoGraph/routes/route_answer.hpp"
+#include "components/topoGraph/storage/map_file.hpp"
 #include "components/topoGraph/storage/map_folder.hpp"
 
 namespace enfilade::topo_graph {
@@ -44,6 +45,8 @@ void TopoGraphNode::compute() {
 
 KeptState TopoGraphNode::start_state() {
   const std::filesystem::path file = config_.map_file;
+  if (std::filesystem::is_directory(file))
+    throw MapFileError("map_file: " + file.string() + " is a folder; name a file in it");
   if (!file.empty() && std::filesystem::exists(file)) {
     if (config_.resume) return resumed_state();
     const std::filesystem::path kept = file.string() + ".previous";

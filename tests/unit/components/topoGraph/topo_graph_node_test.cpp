@@ -167,6 +167,16 @@ TEST_F(TopoGraphNodeTest, KeepsThePreviousMapWhenItStartsANewOne) {
   EXPECT_EQ(load_map(config_.map_file + ".previous").rooms.size(), 1u);
 }
 
+TEST_F(TopoGraphNodeTest, RefusesAFolderAsMapFileAndLeavesItWhereItIs) {
+  config_.map_file = folder_;
+  for (const bool resume : {false, true}) {
+    config_.resume = resume;
+    Harness harness("topoGraph", config_);
+    EXPECT_THROW(harness.node(), MapFileError);
+    EXPECT_TRUE(fs::is_directory(folder_));
+  }
+}
+
 TEST_F(TopoGraphNodeTest, LeavesOneWholeFileWhenItStops) {
   {
     Harness harness("topoGraph", config_);
