@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Bad input ends in one sentence that names the file, line or key, a non-zero exit status, and nothing half-written."""
+import re
 import shutil
 import subprocess
 import tempfile
 import unittest
 from pathlib import Path
+
+import yaml
 
 from support import BIN, PAPER_WORLD, SOURCE, free_domain, run
 
@@ -202,17 +205,34 @@ class DemoScript(unittest.TestCase):
                 self.assertEqual(self.demo(*arguments).returncode, 99)
 
 
+def keys_of(node, prefix=""):
+    """All keys of nested maps, dotted."""
+    groups = [(f"{prefix}{key}", value) for key, value in node.items()]
+    return {k for key, value in groups for k in (keys_of(value, f"{key}.") if isinstance(value, dict) else [key])}
+
+
+def resolved_in(log):
+    """The configuration that a component tells in its log."""
+    text = re.search(r"resolved configuration:\n((?:(?!\d\d:).*\n)*)", log).group(1)
+    return yaml.safe_load(text)
+
+
 class ShippedFiles(unittest.TestCase):
     def test_every_component_starts_with_the_file_it_ships_with(self):
         for file in sorted((SOURCE / "etc").glob("*.yaml")):
             with self.subTest(file=file.name):
                 name = file.stem
-                with subprocess.Popen([str(BIN / name), "--config", str(file), "--domain", str(free_domain())],
+                with subprocess.Popen([str(BIN / name), "--config", str(file), "--domain", str(free_domain()), "--log-level", "debug"],
                                       stderr=subprocess.PIPE, text=True) as process:
-                    first_line = process.stderr.readline()
+                    log = ""
+                    for line in iter(process.stderr.readline, ""):
+                        log += line
+                        if "running" in line:
+                            break
                     process.terminate()
-                    rest = process.communicate(timeout=10)[1]
-                    self.assertEqual(process.returncode, 0, first_line + rest)
+                    log += process.communicate(timeout=10)[1]
+                    self.assertEqual(process.returncode, 0, log)
+                self.assertEqual(keys_of(yaml.safe_load(file.read_text())), keys_of(resolved_in(log)), "the file lists every key")
 
 
 if __name__ == "__main__":

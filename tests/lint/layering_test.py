@@ -39,6 +39,11 @@ class Layering(unittest.TestCase):
                 self.assertEqual(status, 1)
                 self.assertIn(f"{path}:2:", output)
 
+    def test_a_root_that_is_not_there_is_no_success(self):
+        result = subprocess.run([sys.executable, str(SCRIPT), "/nowhere"], capture_output=True, text=True, check=False)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("/nowhere", result.stderr)
+
     def test_right_arrows_pass(self):
         right = [
             ("components/gridBuilder/core/a.hpp", "<octomap/octomap.h>"),

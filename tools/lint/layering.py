@@ -63,6 +63,9 @@ def wrong_arrows(root):
 
 
 if __name__ == "__main__":
-    found = sorted(set(wrong_arrows(Path(sys.argv[1] if len(sys.argv) > 1 else "."))))
+    top = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
+    if not top.is_dir():
+        sys.exit(f"layering.py: {top} is no folder; give the root of the sources")
+    found = sorted(set(wrong_arrows(top)))
     print("\n".join(found))
     sys.exit(1 if found else 0)

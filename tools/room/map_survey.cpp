@@ -8,6 +8,7 @@
 #include "interfaces/runtime/read_file.hpp"
 #include "tools/room/survey.hpp"
 #include "tools/simulator/world/grey_image.hpp"
+#include "tools/support/files.hpp"
 
 namespace enfilade::room {
 namespace {
@@ -79,7 +80,7 @@ void check(const MapFrame& frame, const simulator::GreyImage& image, const std::
 
 /// The survey's frame has its origin in the image's lower left corner, so that cells are pixels.
 Survey survey_of_map(const std::string& file, const SurveyConfig& config) {
-  const bool has_frame = std::filesystem::path(file).extension() == ".yaml";
+  const bool has_frame = ending_of(file) == ".yaml";
   const MapFrame frame =
       has_frame ? read_frame(file) : MapFrame{.image = file, .resolution_m = config.map_resolution_m};
   const simulator::GreyImage image = simulator::read_grey_image(frame.image);

@@ -10,6 +10,7 @@
 #include "components/laser3D/core/carmen_reader.hpp"
 #include "components/laser3D/core/point_file.hpp"
 #include "interfaces/runtime/read_file.hpp"
+#include "tools/support/files.hpp"
 
 namespace enfilade::room {
 namespace {
@@ -22,13 +23,6 @@ laser_3d::FileBytes bytes_of(const std::string& name) {
   if (!unknown && size > kMostBytes)
     throw std::runtime_error(name + ": is larger than 1 GB: give a part of it");
   return {name, read_file(name)};
-}
-
-std::string ending_of(const std::string& file) {
-  std::string ending = std::filesystem::path(file).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
 }
 
 void insert(grid_builder::ZoneGrid& grid, const grid_builder::ScanLine& line, Survey& survey) {

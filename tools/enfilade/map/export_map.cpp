@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 #include <stdexcept>
 #include <string_view>
@@ -22,31 +21,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What files of each format end in; the format's own name is first among those that mean it.
+/// What files of each format end in.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kFormatOfEnding{
-    {{"pgm", "pgm"},
-     {"png", "png"},
-     {"bt", "bt"},
-     {"svg", "svg"},
-     {"geojson", "geojson"},
-     {"json", "geojson"},
-     {"graphml", "graphml"},
-     {"indoorgml", "indoorgml"},
-     {"gml", "indoorgml"},
-     {"yaml", "pgm"},
-     {"yml", "pgm"}}};
-
-/// Without the dot, in small letters.
-std::string plain(std::string ending) {
-  if (ending.starts_with('.')) ending.erase(0, 1);
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  return ending;
-}
-
-std::string ending_of(const std::string& path) { return plain(fs::path(path).extension().string()); }
+    {{".pgm", "pgm"},
+     {".png", "png"},
+     {".bt", "bt"},
+     {".svg", "svg"},
+     {".geojson", "geojson"},
+     {".json", "geojson"},
+     {".graphml", "graphml"},
+     {".indoorgml", "indoorgml"},
+     {".gml", "indoorgml"},
+     {".yaml", "pgm"},
+     {".yml", "pgm"}}};
 
 std::string format_of(const ExportOptions& options) {
-  const std::string name = options.format.empty() ? ending_of(options.out) : plain(options.format);
+  const std::string name = ending_of(options.format.empty() ? options.out : "map." + options.format);
   for (const auto& [ending, format] : kFormatOfEnding)
     if (name == ending) return std::string(format);
   const std::string given = options.format.empty() ? options.out : "--format " + options.format;
@@ -55,7 +45,7 @@ std::string format_of(const ExportOptions& options) {
                            "geojson, graphml or indoorgml");
 }
 
-bool is_yaml(const std::string& path) { return ending_of(path) == "yaml" || ending_of(path) == "yml"; }
+bool is_yaml(const std::string& path) { return ending_of(path) == ".yaml" || ending_of(path) == ".yml"; }
 
 std::string to_png(const topo_graph::OccupancyGrid& grid) {
   const std::vector<std::uint8_t> levels = topo_graph::grey_levels(grid);

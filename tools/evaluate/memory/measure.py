@@ -43,8 +43,10 @@ def main():
     parser.add_argument("--build", default="build/release")
     parser.add_argument("--seconds", type=float, default=40)
     parser.add_argument("--domain", default="0")
-    parser.add_argument("--transport", default="udp")
+    parser.add_argument("--transport", default="udp", choices=["udp", "shared_memory"])
     arguments = parser.parse_args()
+    if not pathlib.Path(arguments.build, "bin/enfilade").exists():
+        parser.error(f"{arguments.build}/bin/enfilade is not there; build it, or give the folder of another build with --build")
     command = [f"{arguments.build}/bin/enfilade", "evaluate", "latency",
                "--world", str(pathlib.Path(__file__).with_name("hall.yaml")),
                "--seconds", str(arguments.seconds), "--transport", arguments.transport,

@@ -38,6 +38,8 @@ def tile(svg, title, column, row):
 
 
 def main():
+    if len(sys.argv) not in (4, 5):
+        sys.exit("usage: draw.py ENFILADE LOGS OUT.svg [SPOTS.txt]")
     enfilade, logs, out = sys.argv[1], Path(sys.argv[2]), Path(sys.argv[3])
     places = list(spots(Path(sys.argv[4]) if len(sys.argv) > 4 else Path(__file__).with_name("spots.txt")))
     tiles, rooms = [], []
