@@ -84,11 +84,20 @@ std::vector<AroundSearch::Plane> AroundSearch::bound_by_sums() {
   return planes;
 }
 
+/// A plane that promises more than all before it is searched at once: the better the rectangles that are
+/// known, the less there is to look into elsewhere.
+std::optional<AroundSearch::Plane> AroundSearch::look_first(const Plane& plane, Incumbent& best) {
+  const int highest = highest_;
+  auto next = bound_by_blocks(plane, best);
+  while (next && highest_ > highest && best.has_budget()) next = advance(*next, best);
+  return next;
+}
+
 /// The plane with a better bound, if it may still hold the best rectangle.
 std::optional<AroundSearch::Plane> AroundSearch::advance(const Plane& plane, Incumbent& best) {
   std::optional<Plane> next;
   if (plane.known == Plane::kSums)
-    next = bound_by_blocks(plane, best);
+    next = look_first(plane, best);
   else if (plane.known == Plane::kBlocks || (plane.known == Plane::kDetails && plane.score < best.score))
     next = bound_by_details(plane, best);
   else
@@ -110,7 +119,6 @@ std::optional<AroundSearch::Plane> AroundSearch::bound_by_blocks(const Plane& pl
   best.expansions += blocks_.work();
   if (!best.may_lose_to(blocks_.bound(), {plane.angle, 0, 0, 0, 0})) return std::nullopt;
   if (blocks_.bound() > highest_) {
-    // The better the first rectangles found, the less there is to look into.
     highest_ = blocks_.bound();
     spell_out(plane.angle, blocks_.best(), best);
     blocks_.raise(best.score, limits(plane.angle));

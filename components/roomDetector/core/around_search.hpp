@@ -45,6 +45,7 @@ class AroundSearch {
 
   void begin(const HoughSpace& space, const Point2& robot, const WindowLimits& sides);
   std::vector<Plane> bound_by_sums();
+  std::optional<Plane> look_first(const Plane& plane, Incumbent& best);
   std::optional<Plane> advance(const Plane& plane, Incumbent& best);
   std::optional<Plane> bound_by_blocks(const Plane& plane, Incumbent& best);
   std::optional<Plane> bound_by_details(const Plane& plane, Incumbent& best);
