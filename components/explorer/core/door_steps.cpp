@@ -2,6 +2,7 @@
 // Section IV, second half: with the room in the graph, choose a door and look at it closely.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "components/explorer/core/exploration_machine.hpp"
 #include "components/explorer/core/graph_route.hpp"
@@ -52,11 +53,28 @@ bool ExplorationMachine::come_back_to_doors(const Observation& seen, Decision& d
 }
 
 /// What barred the way and has gone is still in the grid where no sweep has been since. From one heading a
-/// sweep does not show the cone behind the robot.
+/// sweep does not show the cone behind the robot. And whoever barred it may be waiting for the robot to go.
 void ExplorationMachine::look_behind(const Observation& seen, Decision& decision) {
-  const Pose2& pose = *seen.T_zone_base;
-  begin_look({.pose = {pose.x_m, pose.y_m, wrap_to_pi(pose.yaw_rad + kPi)}}, Purpose::kLocalise, seen,
-             decision);
+  FloorHints known = floor_inside(seen);
+  known.obstacles.insert(known.obstacles.end(), drive_.met().begin(), drive_.met().end());
+  const Point2 place = place_to_give_way(seen, known).value_or(seen.T_zone_base->translation());
+  const double yaw_rad = wrap_to_pi(seen.T_zone_base->yaw_rad + kPi);
+  begin_look({.pose = {place.x(), place.y(), yaw_rad}}, Purpose::kLocalise, seen, decision);
+  drive_.begin(*state_.goal, std::move(known));
+}
+
+/// The reachable place nearest to a step straight back from what was met on the way; nothing if nothing was.
+std::optional<Point2> ExplorationMachine::place_to_give_way(const Observation& seen,
+                                                            const FloorHints& known) const {
+  const Point2 robot = seen.T_zone_base->translation();
+  const auto& met = drive_.met();
+  const auto nearest = std::min_element(met.begin(), met.end(), [&](const Point2& a, const Point2& b) {
+    return (a - robot).squaredNorm() < (b - robot).squaredNorm();
+  });
+  if (nearest == met.end() || *nearest == robot) return std::nullopt;
+  const Point2 back = robot + config_.give_way_m * (robot - *nearest).normalized();
+  const FloorMap map = drive_.floor_map(seen, known);
+  return Reach(map, drive_.config().planner, robot).nearest(back, config_.give_way_m);
 }
 
 /// After a restart in the middle of a crossing the robot stands outside the room it is said to be in.

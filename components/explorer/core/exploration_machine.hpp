@@ -35,6 +35,7 @@ struct ExplorationConfig {
   double staging_search_m = 1.2;  ///< the reachable place nearest to that, at most so far away
   int door_attempts = 2;          ///< failed approaches before a door is put off
   int door_rounds = 2;            ///< so often doors put off are come back to, then they are called blocked
+  double give_way_m = 0.6;        ///< it steps so far back from what bars its way
   double outside_m =
       0.30;  ///< so far outside its room a restarted explorer takes it that it has crossed a door
 };
@@ -130,6 +131,7 @@ class ExplorationMachine {
   void judge(const Observation& seen, Decision& decision);
   void give_up_door(const std::string& why, const Observation& seen, Decision& decision);
   void look_behind(const Observation& seen, Decision& decision);
+  std::optional<Point2> place_to_give_way(const Observation& seen, const FloorHints& known) const;
 
   // crossing_steps.cpp: the change of room
   void begin_crossing(const Observation& seen, Decision& decision);

@@ -24,6 +24,7 @@ void bind(ConfigBinder& c, ExplorationConfig& e) {
   c.number("staging_search_m", e.staging_search_m, 0.1, 3.0);
   c.integer("door_attempts", e.door_attempts, 1, 20);
   c.integer("door_rounds", e.door_rounds, 1, 10);
+  c.number("give_way_m", e.give_way_m, 0.0, 5.0);
   c.number("outside_m", e.outside_m, 0.1, 2.0);
 }
 

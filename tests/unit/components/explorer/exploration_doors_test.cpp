@@ -71,6 +71,26 @@ TEST(ExplorationDoors, LooksBehindItselfWhereTheWayToADoorIsBarred) {
   EXPECT_FALSE(world.said("no other door is left")) << "it does so before it gives the door up";
 }
 
+TEST(ExplorationDoors, GivesWayToWhoeverBarsTheWayToADoor) {
+  MachineWorld world;
+  ASSERT_TRUE(world.run_until(ExplorationPhase::kApproaching, 200));
+  // People side by side, who wait for the robot to go.
+  const double row_x_m = world.pose.x_m + 0.4;
+  const auto tick = [&] {
+    world.points.points.clear();
+    for (int i = 0; i <= 40; ++i) {
+      const Point2 p = world.pose.inverse() * Point2(row_x_m, 0.1 * i);
+      world.points.points.push_back({static_cast<float>(p.x()), static_cast<float>(p.y()), 0.6F});
+    }
+    world.tick();
+  };
+  for (int i = 0; i < 1000 && !world.said("the way to it is barred"); ++i) tick();
+  ASSERT_TRUE(world.said("the way to it is barred"));
+  const double barred_x_m = world.pose.x_m;
+  for (int i = 0; i < 1000 && world.motor.phase != SweepPhase::kSweeping; ++i) tick();
+  EXPECT_LT(world.pose.x_m, barred_x_m - 0.4);
+}
+
 TEST(ExplorationDoors, LooksIntoAGapThatIsWiderThanADoorBeforeItFixesTheRoom) {
   MachineWorld world;
   world.estimate.doors[0].gap = {.wall = 0, .from_m = 0.9, .to_m = 3.1};
