@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 #include "components/roomDetector/core/keyed_table.hpp"
@@ -56,7 +57,7 @@ class HitMap {
   /// From now on the returns at the heights of the band are kept by upright column, too.
   void follow(const WallBand& band);
   /// Those of the band, in the order of first sight.
-  const std::vector<Upright>& columns() const { return columns_.entries(); }
+  const std::deque<Upright>& columns() const { return columns_.entries(); }
 
  private:
   /// What its returns add up to, counted from its lower corner: a zone holds hundreds of thousands of cells,

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 namespace enfilade::room_detector {
@@ -11,7 +12,7 @@ namespace enfilade::room_detector {
 template <class Entry>
 class KeyedTable {
  public:
-  const std::vector<Entry>& entries() const { return entries_; }
+  const std::deque<Entry>& entries() const { return entries_; }
   /// The entry with this key; a new one where there is none.
   Entry& at(std::uint64_t key) {
     if (4 * (entries_.size() + 1) > 3 * slots_.size()) grow();
@@ -41,7 +42,7 @@ class KeyedTable {
   }
 
   std::vector<std::uint32_t> slots_;  // 1 + place among the entries, by hash of the key; 0 = none
-  std::vector<Entry> entries_;
+  std::deque<Entry> entries_;         // never copied to grow: there may be many MB of them
 };
 
 }  // namespace enfilade::room_detector
