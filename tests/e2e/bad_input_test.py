@@ -126,6 +126,17 @@ class BadInput(unittest.TestCase):
                              ([*verb, "--set", "detector.step_m=1"], ["detector", "roomDetector"]),
                              ([*verb, "--set", "step_m=1"], ["COMPONENT.KEY=VALUE"]))
 
+    def test_a_setting_that_an_option_tells_is_not_dropped_in_silence(self):
+        self.file("scan.pcd", "VERSION .7\n")
+        world, seed = ["--set", "simulator.world=a.yaml"], ["--set", "simulator.seed=3"]
+        self.refuse_each((["run", PAPER_WORLD, *world], ["simulator.world=a.yaml", "WORLD"]),
+                         (["run", PAPER_WORLD, "--seed", "2", *seed], ["simulator.seed=3", "--seed"]),
+                         (["demo", *world], ["simulator.world=a.yaml", "--world"]),
+                         (["demo", "--set", "topoGraph.map_file=a.yaml"], ["topoGraph.map_file=a.yaml", "--out"]),
+                         (["demo", "--input", "scan.pcd", "--set", "laser3D.driver=simulator"], ["laser3D.driver=simulator", "--input"]),
+                         (["evaluate", "latency", *world], ["simulator.world=a.yaml", "--world"]),
+                         (["evaluate", "exploration", *world], ["simulator.world=a.yaml", "--buildings"]))
+
     def test_files_that_hold_nothing_are_named(self):
         (self.folder / "folder").mkdir()
         self.file("empty", "")

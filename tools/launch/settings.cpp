@@ -34,6 +34,14 @@ void Settings::set_default(const std::string& component, const std::string& key,
   if (!is_set) set(component, key, value);
 }
 
+void Settings::refuse(const std::string& component, const std::string& key, const std::string& teller) const {
+  for (const std::string& entry : of(component)) {
+    if (entry.starts_with(key + "="))
+      throw ConfigError(
+          fmt::format("--set {}.{}: leave it out, {} tells this here", component, entry, teller));
+  }
+}
+
 const ConfigOverrides& Settings::of(const std::string& component) const {
   static const ConfigOverrides kNone;
   const auto it = overrides_.find(component);

@@ -25,6 +25,9 @@ class Settings {
   void set(const std::string& component, const std::string& key, const std::string& value);
   /// The same, where nobody has set it.
   void set_default(const std::string& component, const std::string& key, const std::string& value);
+  /// For a key that a command sets by itself: throws ConfigError where --set names it. `teller` is what tells
+  /// it there, as "--world".
+  void refuse(const std::string& component, const std::string& key, const std::string& teller) const;
   const ConfigOverrides& of(const std::string& component) const;
 
  private:

@@ -9,6 +9,25 @@
 #include "tools/launch/composed_run.hpp"
 
 namespace enfilade {
+namespace {
+
+/// What the options of the demo tell cannot be set as well.
+void refuse_told(const launch::DemoOptions& options) {
+  const Settings& settings = options.settings;
+  if (!options.input.empty()) {
+    settings.refuse("laser3D", "driver", "--input");
+    settings.refuse("laser3D", "replay.file", "--input");
+    settings.refuse("gridBuilder", "stationary", "--input");
+    return;
+  }
+  settings.refuse("simulator", "world", "--world");
+  settings.refuse("simulator", "speed", "--speed");
+  if (options.seed_given) settings.refuse("simulator", "seed", "--seed");
+  settings.refuse("topoGraph", "map_file", "--out");
+  settings.refuse("topoGraph", "resume", "--out");
+}
+
+}  // namespace
 
 Verb add_demo(CLI::App& app) {
   auto options = std::make_shared<launch::DemoOptions>();
@@ -33,6 +52,7 @@ Verb add_demo(CLI::App& app) {
             options->seed_given = seed->count() > 0;
             options->settings = Settings(*settings);
             check_settings(options->settings);
+            refuse_told(*options);
             // Whatever is killed here is started again, and must not leave a lock of Fast DDS taken.
             setenv("ENFILADE_SHARED_MEMORY", "off", 0);
             return options->input.empty() ? launch::run_simulated_demo(*options)

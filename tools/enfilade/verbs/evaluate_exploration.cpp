@@ -19,6 +19,8 @@ struct ExplorationArguments {
 int run(const ExplorationArguments& arguments) {
   evaluate::ExplorationConfig config = arguments.config;
   config.settings = Settings(arguments.settings);
+  config.settings.refuse("simulator", "world", "--buildings");
+  config.settings.refuse("simulator", "seed", "--seed");
   const auto tell = [](const evaluate::ExplorationRow& row) {
     std::cout << evaluate::to_line(row) << std::flush;
   };

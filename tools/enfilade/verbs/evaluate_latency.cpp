@@ -37,6 +37,7 @@ int measure_latency(const LatencyArguments& arguments) {
   if (config.domain == 0) config.domain = 100 + getpid() % 100;  // hardly anybody else's
   config.settings = Settings(arguments.settings);
   check_settings(config.settings);
+  config.settings.refuse("simulator", "world", "--world");
   simulator::load_world(config.world);  // throws here rather than in a process
   for (const char* const transport : {"shared_memory", "udp"}) {
     if (arguments.transport != "both" && arguments.transport != transport) continue;

@@ -32,7 +32,11 @@ int run(const RunArguments& arguments, bool seed_given) {
                              .settings = Settings(arguments.settings),
                              .through_wire = arguments.wire,
                              .max_sim_time_s = arguments.max_sim_time_s};
-  if (seed_given) options.seed = arguments.seed;
+  options.settings.refuse("simulator", "world", "WORLD");
+  if (seed_given) {
+    options.settings.refuse("simulator", "seed", "--seed");
+    options.seed = arguments.seed;
+  }
   for (const std::string& kill : arguments.kills) options.kills.push_back(parse_kill(kill));
   if (!arguments.quiet) options.log = print_event;
   const report::Report report = run_composed(options);

@@ -20,6 +20,18 @@ TEST(Settings, KeepsWhatWasSetFromDefaults) {
   EXPECT_EQ(settings.of("roomDetector"), (ConfigOverrides{"step_m=0.27", "step=1"}));
 }
 
+TEST(Settings, RefusesWhatTheCommandTellsAndNothingElse) {
+  const Settings settings({"simulator.world=a.yaml", "simulator.world_seed=1"});
+  EXPECT_NO_THROW(settings.refuse("simulator", "seed", "--seed"));
+  EXPECT_NO_THROW(settings.refuse("laser3D", "world", "--world"));
+  try {
+    settings.refuse("simulator", "world", "--world");
+    FAIL() << "accepted";
+  } catch (const ConfigError& error) {
+    EXPECT_STREQ(error.what(), "--set simulator.world=a.yaml: leave it out, --world tells this here");
+  }
+}
+
 TEST(Settings, RefusesUnknownComponentNamingTheKnownOnes) {
   try {
     Settings({"roomdetector.step_m=0.27"});
