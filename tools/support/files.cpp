@@ -31,15 +31,32 @@ std::string why_closed(const fs::path& folder) {
   return access(folder.c_str(), W_OK | X_OK) == 0 ? "" : reason(errno);
 }
 
+/// A device, a pipe, a folder.
+bool cannot_be_replaced(const std::string& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored) && !fs::is_regular_file(path, ignored);
+}
+
+std::error_code write_into(const std::string& path, const std::string& text) {
+  errno = 0;
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  if (file) return {};
+  return {errno != 0 ? errno : EIO, std::generic_category()};
+}
+
 }  // namespace
 
 void write_file(const std::string& path, const std::string& text) {
+  if (cannot_be_replaced(path)) {
+    if (const auto error = write_into(path, text))
+      throw std::runtime_error(not_writable(path, error.message()));
+    return;
+  }
   const std::string temporary = path + ".part";
-  std::ofstream file(temporary, std::ios::binary);
-  file << text;
-  file.close();
-  std::error_code error(file ? 0 : errno, std::generic_category());
-  if (file) fs::rename(temporary, path, error);
+  std::error_code error = write_into(temporary, text);
+  if (!error) fs::rename(temporary, path, error);
   if (!error) return;
   std::error_code ignored;
   fs::remove(temporary, ignored);
@@ -62,6 +79,8 @@ std::string why_no_file(const std::string& path) {
   std::error_code ignored;
   if (path.empty()) return "the name of a file is empty";
   if (fs::is_directory(path, ignored)) return not_writable(path, reason(EISDIR));
+  if (cannot_be_replaced(path))
+    return access(path.c_str(), W_OK) == 0 ? "" : not_writable(path, reason(errno));
   const fs::path folder = fs::path(path).parent_path();
   const std::string why = why_closed(folder.empty() ? "." : folder);
   return why.empty() ? "" : not_writable(path, why);

@@ -5,8 +5,8 @@
 
 namespace enfilade {
 
-/// All of `text` or nothing: through a temporary file beside `path`. Throws std::runtime_error naming the
-/// file that cannot be written.
+/// All of `text` or nothing: through a temporary file beside `path`, unless that is no file that could be
+/// replaced, but /dev/stdout or a pipe. Throws std::runtime_error naming what cannot be written.
 void write_file(const std::string& path, const std::string& text);
 
 /// Makes `folder`, with those above it, where it is not there. Throws std::runtime_error naming it.
