@@ -39,7 +39,7 @@ World load_world(const std::string& file) {
   YamlFields fields(parse(file), "", found);
   const std::filesystem::path path(file);
   if (fields.has("image")) {
-    World world = read_map_server(fields, path.stem().string(), path.parent_path().string(), found);
+    World world = read_map_server(fields, path.stem().string(), path.parent_path().string());
     found.throw_if_any();
     return world;
   }

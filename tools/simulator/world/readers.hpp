@@ -12,8 +12,7 @@ namespace enfilade::simulator {
 /// name.
 FloorPlan read_floor_plan(YamlFields& fields, const std::string& name, YamlProblems& problems);
 
-/// The image path is relative to `folder`.
-World read_map_server(YamlFields& fields, const std::string& name, const std::string& folder,
-                      YamlProblems& problems);
+/// The image path is relative to `folder`. Problems go to those of `fields`.
+World read_map_server(YamlFields& fields, const std::string& name, const std::string& folder);
 
 }  // namespace enfilade::simulator

@@ -106,6 +106,32 @@ TEST(MapSurvey, WhatMapServerLeavesUnknownIsNoWall) {
   EXPECT_EQ(cells.size(), 3u);
 }
 
+/// Of one row of black, map_server's unknown and white, with this YAML.
+Survey survey_of_row(const std::string& yaml) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch.path() / "row.pgm", std::ios::binary) << "P5\n3 1\n255\n"
+                                                              << std::string("\0\xCD\xFF", 3);
+  std::ofstream(scratch.path() / "row.yaml") << "image: row.pgm\nresolution: 0.05\n" << yaml;
+  return read_survey((scratch.path() / "row.yaml").string(), {});
+}
+
+TEST(MapSurvey, GreysMeanWhatTheYamlSays) {
+  const Cells plain = by_place(survey_of_row("origin: [0, 0, 0]\n"));
+  EXPECT_EQ(plain, (Cells{{{0, 0, 12}, CellState::kOccupied}, {{2, 0, 12}, CellState::kFree}}));
+  const Cells negated = by_place(survey_of_row("origin: [0, 0, 0]\nnegate: 1\noccupied_thresh: 0.9\n"));
+  EXPECT_EQ(negated, (Cells{{{0, 0, 12}, CellState::kFree}, {{2, 0, 12}, CellState::kOccupied}}));
+}
+
+TEST(MapSurvey, NamesEachLineOfTheYamlThatIsWrong) {
+  try {
+    survey_of_row("origin: [0, 0]\nfree_thresh: low\n");
+    FAIL() << "accepted";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("row.yaml:3: 'origin'"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("row.yaml:4: 'free_thresh'"), std::string::npos) << error.what();
+  }
+}
+
 /// Two squares of free cells with walls around them and between them.
 Survey two_cabinets() {
   Survey survey{.resolution_m = 0.1, .is_fused = true, .is_planar = true};
