@@ -122,6 +122,15 @@ class MapExports(Exports):
             told = yaml.safe_load(self.export_to(name).read_text())
             self.assertEqual((self.folder / told["image"]).read_bytes(), self.export("pgm").read_bytes(), name)
 
+    def test_neither_picture_nor_yaml_takes_the_place_of_the_map(self):
+        image = self.folder / "map.pgm"
+        image.write_text(square_of_rooms())
+        for source, out in [(self.map, "house.yaml"), (self.map, "house.pgm"), (image, "map.pgm"), (image, "map.yaml")]:
+            result = run("map", "export", source, "--out", self.folder / out, "--format", "pgm")
+            self.assertEqual(result.returncode, 2, out)
+            self.assertIn("would destroy the map", result.stderr)
+            self.assertEqual(source.read_text(), square_of_rooms())
+
     def test_octomap(self):
         """By octomap's own tool: the occupied voxels, as boxes of VRML."""
         file = self.export("bt", "--resolution", "0.1")

@@ -74,7 +74,7 @@ std::vector<std::string> write_map_server(const ExportOptions& options, const st
   const std::string image =
       named_yaml ? fs::path(options.out).replace_extension(format).string() : options.out;
   const std::string yaml = named_yaml ? options.out : fs::path(image).replace_extension(".yaml").string();
-  refuse_overwriting(options.file, yaml);
+  for (const std::string& out : {image, yaml}) refuse_overwriting(options.file, out);
   write_file(image, format == "png" ? to_png(grid) : topo_graph::to_pgm(grid));
   write_file(yaml, topo_graph::to_map_server_yaml(grid, fs::path(image).filename().string()));
   return {image, yaml};
