@@ -82,7 +82,7 @@ void print(const RoomEstimate& estimate) {
     const Point2 middle = segment_of(r, door.gap).midpoint();
     std::cout << fmt::format(
         "  {}: {:.2f} m wide, in wall {}, middle at ({:.2f}, {:.2f}) m, {:.0f} % of it seen to be free\n",
-        name_of(door.state), door.gap.width_m(), door.gap.wall + 1, middle.x(), middle.y(),
+        name_of(door.state), door.gap.width_m(), door.gap.wall, middle.x(), middle.y(),
         100.0 * door.evidence.free_share);
   }
   std::cout << fmt::format("  {:.0f} % of the walls could not be seen\n",
