@@ -103,7 +103,8 @@ class BadInput(unittest.TestCase):
 
     def test_unknown_verbs_and_options_are_named(self):
         self.refuse_each((["nope"], ["nope"]), (["map", "nope"], ["nope"]), ([], ["--help"]), (["evaluate"], ["evaluate", "--help"]),
-                         (["run", PAPER_WORLD, "--bogus"], ["--bogus"]), (["demo", "--input", "a.pcd", "--world", "b"], ["--world"]))
+                         (["run", PAPER_WORLD, "--bogus"], ["--bogus"]), (["demo", "--input", "a.pcd", "--world", "b"], ["--world"]),
+                         (["demo", "--input", "a.pcd", "--speed", "2"], ["--speed"]), (["demo", "--seed", "2", "--input", "a.pcd"], ["--seed"]))
 
     def test_numbers_are_checked_as_they_are_written(self):
         self.refuse_each((["run", PAPER_WORLD, "--seed", "-1"], ["--seed", "-1"]),

@@ -37,13 +37,14 @@ Verb add_demo(CLI::App& app) {
       "Explore a simulated world, or look at a recorded scan, with the components as processes on DDS");
   CLI::Option* world =
       command->add_option("--world", options->world, "World file; the paper's two rooms by default");
+  CLI::Option* speed =
+      command->add_option("--speed", options->speed, "At most so many times as fast as real time")
+          ->check(number_in(0.05, 100.0))
+          ->capture_default_str();
+  CLI::Option* seed = add_seed(*command, options->seed, "Seed of the simulator's noise");
   command
       ->add_option("--input", options->input, "A recorded 3D scan (.pcd, .3d) to look at instead of a world")
-      ->excludes(world);
-  command->add_option("--speed", options->speed, "At most so many times as fast as real time")
-      ->check(number_in(0.05, 100.0))
-      ->capture_default_str();
-  CLI::Option* seed = add_seed(*command, options->seed, "Seed of the simulator's noise");
+      ->excludes(world, speed, seed);
   add_output_folder(*command, "--out", options->out,
                     "Folder for report, map, pictures and logs; out/<time> by default");
   add_domain(*command, options->domain);
