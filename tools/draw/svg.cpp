@@ -149,7 +149,10 @@ void SvgCanvas::legend(const std::vector<Swatch>& swatches) {
   int row = 0;
   for (const Swatch& swatch : swatches) {
     const double length = kSwatch_px + 6.0 + text_width_px(swatch.meaning, kLegend_px);
-    if (x > kMargin_px && x + length > end) x = kMargin_px, ++row;
+    if (x > kMargin_px && x + length > end) {
+      x = kMargin_px;
+      ++row;
+    }
     places.emplace_back(x, row);
     x += length + kMargin_px;
   }
