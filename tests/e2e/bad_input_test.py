@@ -203,6 +203,7 @@ class DemoScript(unittest.TestCase):
                                 (("--input", "empty.pcd"), "empty.pcd"), (("--world", "/"), "--world /"), (("--sped", "2"), "--sped"),
                                 (("--seed", "-3"), "-3"), (("--seed", "1.5"), "1.5"), (("--domain", "300"), "300"),
                                 (("--out", "empty.pcd/a"), "empty.pcd/a"), (("--set", "step_m=2"), "COMPONENT.KEY=VALUE"),
+                                (("--speed", "2", "--input", "scan.pcd"), "--speed"), (("--input=scan.pcd", "--seed=2"), "--seed"),
                                 (("world.yaml",), "world.yaml")]:
             with self.subTest(arguments=arguments):
                 result = self.demo(*arguments)
