@@ -15,6 +15,8 @@ namespace enfilade::room_detector {
 class ColumnIndex {
  public:
   static constexpr std::int32_t kNone = -1;
+  static constexpr int kBits = 4, kSide = 1 << kBits;
+  using Tile = std::array<std::int32_t, kSide * kSide>;
 
   /// kNone where nothing was put.
   std::int32_t find(int x, int y) const {
@@ -32,15 +34,25 @@ class ColumnIndex {
     const std::uint32_t key = key_of(x, y);
     if (key != last_key_) {
       const auto [tile, is_new] = tile_of_.try_emplace(key, tiles_.size());
-      if (is_new) tiles_.emplace_back().fill(kNone);
+      if (is_new) {
+        tiles_.emplace_back().fill(kNone);
+        corners_.push_back({x & ~(kSide - 1), y & ~(kSide - 1)});
+      }
       last_key_ = key;
       last_tile_ = tile->second;
     }
     return tiles_[last_tile_][place_of(x, y)];
   }
+  /// Calls visit(lowest x, lowest y, tile) for one tile after the other.
+  template <class Visit>
+  void for_each_tile(Visit&& visit) const {
+    for (std::size_t i = 0; i < tiles_.size(); ++i) visit(corners_[i].x, corners_[i].y, tiles_[i]);
+  }
 
  private:
-  static constexpr int kBits = 4, kSide = 1 << kBits;
+  struct Corner {
+    int x, y;
+  };
   // No tile of 16-bit coordinates has it.
   static constexpr std::uint32_t kNoKey = 0xFFFF'FFFF;
 
@@ -53,7 +65,8 @@ class ColumnIndex {
   }
 
   std::unordered_map<std::uint32_t, std::size_t> tile_of_;
-  std::vector<std::array<std::int32_t, kSide * kSide>> tiles_;
+  std::vector<Tile> tiles_;
+  std::vector<Corner> corners_;  // of the tiles
   mutable std::uint32_t last_key_ = kNoKey;
   mutable std::size_t last_tile_ = 0;
 };

@@ -45,7 +45,6 @@ Column& ColumnMap::column_at(const GridCell& cell) {
     // A grid grows for minutes: a quarter more room at a time wastes less than twice as much.
     if (columns_.size() == columns_.capacity()) columns_.reserve(columns_.size() * 5 / 4 + 1024);
     columns_.push_back({cell.x, cell.y, {}, {}});
-    places_.push_back({cell.x, cell.y});
     is_changed_.push_back(false);
   }
   const auto i = static_cast<std::size_t>(known);

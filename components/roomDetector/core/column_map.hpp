@@ -4,11 +4,13 @@
 #include <array>
 #include <bit>
 #include <bitset>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "components/roomDetector/core/column_index.hpp"
+#include "components/roomDetector/core/convex_region.hpp"
 #include "interfaces/geometry/pose2.hpp"
 #include "interfaces/model/grid.hpp"
 
@@ -55,17 +57,11 @@ class ColumnMap {
 
   double resolution_m() const { return resolution_m_; }
   const std::vector<Column>& columns() const { return columns_; }
-  /// Where the columns are: to go through when most of them do not matter.
-  struct Place {
-    std::int16_t x, y;
-  };
-  const std::vector<Place>& places() const { return places_; }
   const Column* find(int x, int y) const;
   /// The column under a point; null where nothing is known.
   const Column* find(const Point2& p) const;
-  Point2 centre(const Column& column) const { return centre(Place{column.x, column.y}); }
-  Point2 centre(const Place& place) const {
-    return {(place.x + 0.5) * resolution_m_, (place.y + 0.5) * resolution_m_};
+  Point2 centre(const Column& column) const {
+    return {(column.x + 0.5) * resolution_m_, (column.y + 0.5) * resolution_m_};
   }
   std::size_t index_of(const Column& column) const {
     return static_cast<std::size_t>(&column - columns_.data());
@@ -80,6 +76,20 @@ class ColumnMap {
       }
     }
   }
+  /// Calls visit(column) for the columns whose centre the region contains.
+  template <class Visit>
+  void visit_within(const ConvexRegion& region, Visit visit) const {
+    const double half_m = 0.5 * ColumnIndex::kSide * resolution_m_;
+    index_.for_each_tile([&](int x, int y, const ColumnIndex::Tile& tile) {
+      const Point2 corner(x * resolution_m_, y * resolution_m_);
+      if (!region.may_meet(corner + Point2::Constant(half_m), std::sqrt(2.0) * half_m)) return;
+      for (const std::int32_t i : tile) {
+        if (i == ColumnIndex::kNone) continue;
+        const Column& column = columns_[static_cast<std::size_t>(i)];
+        if (region.contains(centre(column))) visit(column);
+      }
+    });
+  }
   /// How many occupied cells each level holds.
   const std::array<int, kLevels>& occupied_per_level() const { return occupied_per_level_; }
   /// Indices of the columns changed since the last call, each once.
@@ -90,7 +100,6 @@ class ColumnMap {
 
   double resolution_m_ = 0.05;
   std::vector<Column> columns_;
-  std::vector<Place> places_;
   std::vector<bool> is_changed_;
   std::vector<std::size_t> changed_;
   ColumnIndex index_;

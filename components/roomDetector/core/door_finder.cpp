@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "components/roomDetector/core/convex_region.hpp"
 #include "components/roomDetector/core/gap_runs.hpp"
-#include "components/roomDetector/core/point_mover.hpp"
 #include "components/roomDetector/core/wall_profile.hpp"
 
 namespace enfilade::room_detector {
@@ -25,14 +25,8 @@ struct Wall {
   int index;
   std::vector<WallSlice> slices;
   Levels band;
-  std::span<const WallPoint> returns;
+  std::span<const PlacedHits> returns;
   std::span<const Sightings> sightings;
-  mutable std::optional<std::vector<HitByWall>> hits = {};  ///< of the returns, once they are asked for
-
-  const std::vector<HitByWall>& hits_of(const JambFitConfig& jamb) const {
-    if (!hits) hits = hits_by_wall(returns, rectangle, index, jamb);
-    return *hits;
-  }
 };
 
 std::size_t slices_of(double metres, double resolution_m) {
@@ -74,34 +68,42 @@ void count_beyond(const Wall& wall, const WallInterval& gap, const DoorFinderCon
   const Segment segment = wall.rectangle.wall(wall.index);
   const Point2 along = segment.direction(), outwards = wall.rectangle.normal(wall.index);
   const Levels heights = level_range(level_of(config.beyond_floor_m, wall.map.resolution_m()), kLevels);
-  const auto& places = wall.map.places();
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const Point2 q = wall.map.centre(places[i]) - segment.from;
-    const double depth = q.dot(outwards), s = q.dot(along);
-    if (depth < config.beyond_from_m || depth > config.beyond_to_m) continue;
-    if (s < gap.from_m - depth || s > gap.to_m + depth) continue;
-    const Column& column = wall.map.columns()[i];
+  ConvexRegion wedge;
+  wedge.cut(segment.from + config.beyond_from_m * outwards, outwards)
+      .cut(segment.from + config.beyond_to_m * outwards, -outwards)
+      .cut(segment.from + gap.from_m * along, (along + outwards).normalized())
+      .cut(segment.from + gap.to_m * along, (outwards - along).normalized());
+  wall.map.visit_within(wedge, [&](const Column& column) {
     evidence.beyond_occupied_cells += static_cast<std::uint32_t>(count_of(column.occupied & heights));
     evidence.beyond_free_cells += static_cast<std::uint32_t>(count_of(column.free & heights));
-  }
+  });
+}
+
+/// What is seen from a point through a gap and lies at least `depth_m` behind it.
+ConvexRegion seen_through(const Segment& line, const Point2& outwards, const WallInterval& gap,
+                          const Point2& from, double depth_m) {
+  const Point2 along = line.direction();
+  const Point2 to_first = line.from + gap.from_m * along - from,
+               to_last = line.from + gap.to_m * along - from;
+  const auto across = [&](const Point2& ray) { return Point2(-ray.y(), ray.x()).normalized(); };
+  const double side = along.dot(across(to_first)) > 0.0 ? 1.0 : -1.0;
+  ConvexRegion region;
+  region.cut(line.from + depth_m * outwards, outwards)
+      .cut(from, side * across(to_first))
+      .cut(from, -side * across(to_last));
+  return region;
 }
 
 /// Whether enough returns came from behind the wall whose beams went through the gap.
 bool is_seen_through(const Wall& wall, const WallInterval& gap, const DoorFinderConfig& config) {
   const Segment line = wall.rectangle.wall(wall.index);
-  const Point2 along = line.direction(), outwards = wall.rectangle.normal(wall.index);
+  const Point2 outwards = wall.rectangle.normal(wall.index);
   double returns = 0.0;
   for (const Sightings& s : wall.sightings) {
-    const double near = (s.from - line.from).dot(outwards);
-    if (near >= 0.0) continue;
-    const PointMover move(s.correction);
-    s.hits->visit_while([&](const Point2& seen, double count) {
-      const Point2 end = move(seen);
-      const double far = (end - line.from).dot(outwards);
-      if (far < config.beyond_from_m) return true;
-      const Point2 through = s.from + near / (near - far) * (end - s.from);
-      const double at = (through - line.from).dot(along);
-      if (at > gap.from_m && at < gap.to_m) returns += count;
+    if ((s.from - line.from).dot(outwards) >= 0.0) continue;  // the robot is not before this wall
+    const auto behind = seen_through(line, outwards, gap, s.from, config.beyond_from_m);
+    s.returns.hits->visit_within(behind, s.returns.T_map_hits, [&](const Point2&, double count) {
+      returns += count;
       return returns < config.min_returns_behind;
     });
   }
@@ -167,8 +169,8 @@ void report(const Wall& wall, const Run& run, GapDiagnostics seen, const Judgeme
   door.evidence.occupied_share = seen.occupied_share;
   door.evidence.free_share = seen.free_share;
   if (door.state != DoorState::kUnexplored) {
-    const FittedGap fitted =
-        fit_jambs(wall.hits_of(config.jamb), seen.gap, config.jamb, wall.map.resolution_m());
+    const FittedGap fitted = fit_jambs(hits_beside(wall.returns, wall.rectangle, seen.gap, config.jamb),
+                                       seen.gap, config.jamb, wall.map.resolution_m());
     door.gap = seen.gap = fitted.gap;
     seen.from_sigma_m = fitted.from_sigma_m;
     seen.to_sigma_m = fitted.to_sigma_m;
@@ -227,7 +229,7 @@ void find_in(const Wall& wall, const DoorFinderConfig& config, WallGaps& gaps) {
 
 DoorFinder::DoorFinder(const DoorFinderConfig& config) : config_(config) {}
 
-WallGaps DoorFinder::find(const ColumnMap& map, const Rectangle& rectangle, std::span<const WallPoint> hits,
+WallGaps DoorFinder::find(const ColumnMap& map, const Rectangle& rectangle, std::span<const PlacedHits> hits,
                           std::span<const Sightings> sightings) const {
   const Levels band = level_range(level_of(config_.band_from_m, map.resolution_m()),
                                   level_of(config_.band_to_m, map.resolution_m()));

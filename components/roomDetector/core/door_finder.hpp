@@ -29,8 +29,7 @@ struct DoorFinderConfig {
 /// Returns of the laser, of all heights, from one place of the robot.
 struct Sightings {
   Point2 from;
-  const HitMap* hits;
-  Pose2 correction = {};  ///< where the hits are in the frame of the map
+  PlacedHits returns;
 };
 
 /// The gaps of all four walls, by wall and then by position, and how much of the walls was never observed.
@@ -48,7 +47,7 @@ class DoorFinder {
   explicit DoorFinder(const DoorFinderConfig& config);
   /// `hits`: returns at the heights of band_from_m … band_to_m, from which the ends of open gaps are fitted.
   /// `sightings`: without any, nothing is asked about what lies behind a gap.
-  WallGaps find(const ColumnMap& map, const Rectangle& rectangle, std::span<const WallPoint> hits = {},
+  WallGaps find(const ColumnMap& map, const Rectangle& rectangle, std::span<const PlacedHits> hits = {},
                 std::span<const Sightings> sightings = {}) const;
 
  private:

@@ -10,6 +10,7 @@ namespace {
 constexpr int kAxisBits = 20;
 constexpr std::uint64_t kAxisMask = (1u << kAxisBits) - 1;
 constexpr double kMostDistant_m = 1000.0;
+constexpr double kBlock_m = 0.5;  // as wide as a few gaps in a wall are
 
 bool is_usable(const CellHit& hit) {
   return std::abs(hit.x_m) < kMostDistant_m && std::abs(hit.y_m) < kMostDistant_m &&
@@ -69,12 +70,29 @@ void HitMap::add(const HitMap& other) {
 
 void HitMap::add(const Cell& more) {
   Cell& cell = cells_.at(more.key);
+  if (cell.count == 0) add_to_block(more.key);
   cell.x_m += more.x_m;
   cell.y_m += more.y_m;
   cell.z_m += more.z_m;
   cell.count += more.count;
   count_ += more.count;
   add_to_column(more);
+}
+
+int HitMap::cells_per_block() const { return std::max(1, static_cast<int>(std::lround(kBlock_m / cell_m_))); }
+
+void HitMap::add_to_block(std::uint64_t key) {
+  const Corner corner = corner_of(key);
+  const double side = cells_per_block();
+  const auto block = [&](int cell) { return static_cast<int>(std::floor(cell / side)); };
+  const auto place = static_cast<std::uint32_t>(cells_.entries().size() - 1);
+  blocks_.at(key_of({block(corner.x), block(corner.y), 0})).cells.push_back(place);
+}
+
+Point2 HitMap::centre_of(const Block& block) const {
+  const Corner corner = corner_of(block.key);
+  const double side_m = cells_per_block() * cell_m_;
+  return {(corner.x + 0.5) * side_m, (corner.y + 0.5) * side_m};
 }
 
 std::vector<WallPoint> HitMap::points(int from_level, int to_level) const {

@@ -118,16 +118,22 @@ EndFit fit_end(std::span<const HitByWall> hits, const End& end, const JambFitCon
 
 }  // namespace
 
-std::vector<HitByWall> hits_by_wall(std::span<const WallPoint> hits, const Rectangle& rectangle, int wall,
-                                    const JambFitConfig& config) {
-  const Segment segment = rectangle.wall(wall);
-  const Point2 along = segment.direction(), outwards = rectangle.normal(wall);
+std::vector<HitByWall> hits_beside(std::span<const PlacedHits> hits, const Rectangle& rectangle,
+                                   const WallInterval& gap, const JambFitConfig& config) {
+  const Segment segment = rectangle.wall(gap.wall);
+  const Point2 along = segment.direction(), outwards = rectangle.normal(gap.wall);
+  ConvexRegion beside;
+  beside.cut(segment.from - config.face_m * outwards, outwards)
+      .cut(segment.from + config.reveal_to_m * outwards, -outwards)
+      .cut(segment.from + (gap.from_m - config.reach_m) * along, along)
+      .cut(segment.from + (gap.to_m + config.reach_m) * along, -along);
   std::vector<HitByWall> seen;
-  for (const WallPoint& hit : hits) {
-    const Point2 q = hit.position - segment.from;
-    const double outside = q.dot(outwards);
-    if (outside < -config.face_m || outside > config.reveal_to_m) continue;
-    seen.push_back({q.dot(along), outside, hit.weight});
+  for (const PlacedHits& placed : hits) {
+    placed.hits->visit_within(beside, placed.T_map_hits, [&](const Point2& at, double count) {
+      const Point2 q = at - segment.from;
+      seen.push_back({q.dot(along), q.dot(outwards), count});
+      return true;
+    });
   }
   return seen;
 }

@@ -26,9 +26,9 @@ struct HitByWall {
   double weight = 1.0;
 };
 
-/// Those of the returns that may lie on the wall or on a jamb of it.
-std::vector<HitByWall> hits_by_wall(std::span<const WallPoint> hits, const Rectangle& rectangle, int wall,
-                                    const JambFitConfig& config);
+/// Those of the returns that may lie on the wall beside a gap of it, or on a jamb.
+std::vector<HitByWall> hits_beside(std::span<const PlacedHits> hits, const Rectangle& rectangle,
+                                   const WallInterval& gap, const JambFitConfig& config);
 
 /// A gap whose ends were fitted, and how well they are known (standard deviations).
 struct FittedGap {

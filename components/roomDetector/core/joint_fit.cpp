@@ -59,53 +59,89 @@ struct System {
         noise(Matrix::Zero(unknowns, unknowns)) {}
 };
 
-void add_stand(System& s, const StandPoints& stand, const Pose2& correction, std::size_t index,
-               const Rectangle& r, const RectangleFitConfig& config) {
-  const Point2 base = correction * stand.T_zone_base.translation();
-  const int first = index > 0 ? first_unknown(index) : 5;
-  Eigen::Matrix<double, 8, 8> normal = Eigen::Matrix<double, 8, 8>::Zero(), noise = normal;
-  Eigen::Matrix<double, 8, 1> rhs = Eigen::Matrix<double, 8, 1>::Zero(), per_bias = rhs;
+/// What the points of one stand on one wall add up to. Σ x stands for (Σ x, Σ x t, Σ x t²), t along the wall:
+/// all that is needed of them, as the row of a point's Jacobian is a line in t.
+struct WallSums {
+  Eigen::Vector3d weights = Eigen::Vector3d::Zero(), noises = weights;     ///< Σ w, Σ w² σ² / weight
+  Eigen::Vector2d residuals = Eigen::Vector2d::Zero(), beams = residuals;  ///< Σ w ρ, Σ w ∂ρ/∂range
+  double support = 0.0, squares = 0.0;                                     ///< Σ weight, Σ w ρ²
+};
+
+std::array<WallSums, 4> wall_sums(const StandPoints& stand, const Pose2& correction, const Rectangle& r,
+                                  const RectangleFitConfig& config) {
+  std::array<WallSums, 4> sums;
   const PointMover move(correction);
   const WallSights sights(r, config.last_gate_m, config.corner_m);
   const std::array<Point2, 4> normals{r.normal(0), r.normal(1), r.normal(2), r.normal(3)};
   for (const WallPoint& point : stand.points) {
-    const Point2 q = move(point.position);
-    const WallSight sight = sights.of(q);
+    const WallSight sight = sights.of(move(point.position));
     if (sight.wall < 0) continue;
+    WallSums& sum = sums[static_cast<std::size_t>(sight.wall)];
     const double share = tukey(sight.residual_m, config.last_gate_m), w = point.weight * share;
-    const Point2& n = normals[static_cast<std::size_t>(sight.wall)];
-    // The entries of the Jacobian's row that are not zero.
-    const std::array<int, 5> at{0, 1 + sight.wall, 5, 6, 7};
-    const std::array<double, 5> j{sight.along_m, -1.0, n.x(), n.y(), n.dot(left_of(q - base))};
-    const std::size_t entries = index > 0 ? 5 : 2;
-    const double along_beam = n.dot(move.turned(point.per_range));
-    const double slant = point.per_range.isZero() ? 1.0 : along_beam * along_beam;
-    for (std::size_t a = 0; a < entries; ++a) {
-      for (std::size_t b = 0; b < entries; ++b) {
-        normal(at[a], at[b]) += w * j[a] * j[b];
-        noise(at[a], at[b]) += w * share * slant * j[a] * j[b];
-      }
-      rhs[at[a]] -= w * sight.residual_m * j[a];
-      per_bias[at[a]] -= w * along_beam * j[a];
-    }
-    s.support[static_cast<std::size_t>(sight.wall)] += point.weight;
-    s.weight += w;
-    s.squares += w * sight.residual_m * sight.residual_m;
+    const double beam = normals[static_cast<std::size_t>(sight.wall)].dot(move.turned(point.per_range));
+    const double slant = point.per_range.isZero() ? 1.0 : beam * beam;
+    const Eigen::Vector3d powers(1.0, sight.along_m, sight.along_m * sight.along_m);
+    sum.weights += w * powers;
+    sum.noises += w * share * slant * powers;
+    sum.residuals += w * sight.residual_m * powers.head<2>();
+    sum.beams += w * beam * powers.head<2>();
+    sum.support += point.weight;
+    sum.squares += w * sight.residual_m * sight.residual_m;
   }
-  const auto place = [&](Matrix& to, const Eigen::Matrix<double, 8, 8>& from) {
-    to.topLeftCorner<5, 5>() += from.topLeftCorner<5, 5>();
-    if (index == 0) return;
-    to.block<3, 3>(first, first) += from.bottomRightCorner<3, 3>();
-    to.block<5, 3>(0, first) += from.topRightCorner<5, 3>();
-    to.block<3, 5>(first, 0) += from.bottomLeftCorner<3, 5>();
-  };
-  place(s.normal, normal);
-  place(s.noise, noise);
-  s.rhs.head<5>() += rhs.head<5>();
-  s.per_bias.head<5>() += per_bias.head<5>();
-  if (index == 0) return;
-  s.rhs.segment<3>(first) += rhs.tail<3>();
-  s.per_bias.segment<3>(first) += per_bias.tail<3>();
+  return sums;
+}
+
+/// The row of the Jacobian of a point `t` along a wall, over (δα, δo_wall, δx, δy, δψ), is at_centre + t ·
+/// per_metre.
+struct JacobianLine {
+  Eigen::Matrix<double, 5, 1> at_centre, per_metre;
+
+  /// Σ x j, of (Σ x, Σ x t).
+  Eigen::Matrix<double, 5, 1> sum(const Eigen::Vector2d& x) const {
+    return x[0] * at_centre + x[1] * per_metre;
+  }
+  /// Σ x j jᵀ, of (Σ x, Σ x t, Σ x t²).
+  Eigen::Matrix<double, 5, 5> squares(const Eigen::Vector3d& x) const {
+    const Eigen::Matrix<double, 5, 5> mixed = at_centre * per_metre.transpose();
+    return x[0] * at_centre * at_centre.transpose() + x[1] * (mixed + mixed.transpose()) +
+           x[2] * per_metre * per_metre.transpose();
+  }
+};
+
+/// With t = left(n) a turn of the stand about `base` moves a point q along n by n · left(q − base) =
+/// −t · (q − base).
+JacobianLine jacobian_of(const Rectangle& r, int wall, const Point2& base) {
+  const Point2 n = r.normal(wall), t = left_of(n);
+  JacobianLine line;
+  line.at_centre << 0.0, -1.0, n, t.dot(base - Point2(r.x_m, r.y_m));
+  line.per_metre << 1.0, 0.0, 0.0, 0.0, -1.0;
+  return line;
+}
+
+void add_stand(System& s, const StandPoints& stand, const Pose2& correction, std::size_t index,
+               const Rectangle& r, const RectangleFitConfig& config) {
+  const Point2 base = correction * stand.T_zone_base.translation();
+  const auto sums = wall_sums(stand, correction, r, config);
+  const int entries = index > 0 ? 5 : 2, first = index > 0 ? first_unknown(index) : 0;
+  for (int wall = 0; wall < 4; ++wall) {
+    const WallSums& sum = sums[static_cast<std::size_t>(wall)];
+    const std::array<int, 5> at{0, 1 + wall, first, first + 1, first + 2};
+    const JacobianLine j = jacobian_of(r, wall, base);
+    const auto normal = j.squares(sum.weights), noise = j.squares(sum.noises);
+    const auto residuals = j.sum(sum.residuals), beams = j.sum(sum.beams);
+    for (int a = 0; a < entries; ++a) {
+      const int row = at[static_cast<std::size_t>(a)];
+      for (int b = 0; b < entries; ++b) {
+        s.normal(row, at[static_cast<std::size_t>(b)]) += normal(a, b);
+        s.noise(row, at[static_cast<std::size_t>(b)]) += noise(a, b);
+      }
+      s.rhs[row] -= residuals[a];
+      s.per_bias[row] -= beams[a];
+    }
+    s.support[static_cast<std::size_t>(wall)] += sum.support;
+    s.weight += sum.weights[0];
+    s.squares += sum.squares;
+  }
 }
 
 /// What odometry says: from stand to stand the corrections change little.

@@ -108,13 +108,16 @@ RectangleFitter::RectangleFitter(const RectangleFitConfig& config) : config_(con
 std::optional<RectangleFit> RectangleFitter::fit(std::span<const WallPoint> all_points,
                                                  const Rectangle& start, double reach_m) const {
   const auto points = points_near(all_points, start, 2.0 * (reach_m + config_.first_gate_m));
-  const Rectangle near = moved(start, step_to_densest(points, start, reach_m, config_.corner_m));
-  const WallMatrix free = WallMatrix::Identity();
-  const auto from_near =
-      result_at(points, iterate<5>(points, near, config_, first_gate(config_, reach_m), free), config_);
-  const auto from_start =
-      result_at(points, iterate<5>(points, start, config_, first_gate(config_, reach_m), free), config_);
-  const auto& best = from_near.total_support() >= from_start.total_support() ? from_near : from_start;
+  const auto fit_from = [&](const Rectangle& from) {
+    const WallMatrix free = WallMatrix::Identity();
+    return result_at(points, iterate<5>(points, from, config_, first_gate(config_, reach_m), free), config_);
+  };
+  RectangleFit best = fit_from(start);
+  const WallStep to_densest = step_to_densest(points, start, reach_m, config_.corner_m);
+  if (!to_densest.isZero()) {
+    const RectangleFit from_densest = fit_from(moved(start, to_densest));
+    if (from_densest.total_support() >= best.total_support()) best = from_densest;
+  }
   if (best.total_support() < kLeastSupport * result_at(points, start, config_).total_support())
     return std::nullopt;
   if (best.rectangle.width_m <= 0.0 || best.rectangle.height_m <= 0.0) return std::nullopt;

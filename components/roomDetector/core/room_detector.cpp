@@ -5,8 +5,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "components/roomDetector/core/point_mover.hpp"
-
 namespace enfilade::room_detector {
 namespace {
 
@@ -139,15 +137,10 @@ std::vector<WallPoint> RoomDetector::cells_far_from(const std::vector<StandPoint
   return points;
 }
 
-std::vector<WallPoint> RoomDetector::door_hits(const Detection& d) const {
-  std::vector<WallPoint> hits;
-  for (std::size_t i = 0; i < stands_.all().size(); ++i) {
-    const PointMover move(correction_of(d, i));
-    stands_.all()[i].fine_hits.visit_while([&](const Point2& at, double count) {
-      hits.push_back({move(at), count});
-      return true;
-    });
-  }
+std::vector<PlacedHits> RoomDetector::jamb_hits(const Detection& d) const {
+  std::vector<PlacedHits> hits;
+  for (std::size_t i = 0; i < stands_.all().size(); ++i)
+    hits.push_back({&stands_.all()[i].fine_hits, correction_of(d, i)});
   return hits;
 }
 
@@ -160,7 +153,7 @@ std::vector<Sightings> RoomDetector::sightings(const Detection& d) const {
     const Stand& stand = stands_.all()[i];
     if (stand.merged > 0 || stand.hits.empty()) continue;
     const Pose2 correction = correction_of(d, i);
-    seen.push_back({correction * stand.T_zone_base.translation(), &stand.hits, correction});
+    seen.push_back({correction * stand.T_zone_base.translation(), {&stand.hits, correction}});
   }
   return seen;
 }
@@ -193,7 +186,7 @@ void RoomDetector::refine(Detection& d, const WallBand& band) const {
 }
 
 void RoomDetector::find_doors(Detection& d, const HoughSpace& space) const {
-  WallGaps gaps = door_finder_.find(map_, d.estimate.rectangle, door_hits(d), sightings(d));
+  WallGaps gaps = door_finder_.find(map_, d.estimate.rectangle, jamb_hits(d), sightings(d));
   d.diagnostics.gaps = std::move(gaps.diagnostics);
   d.estimate.unexplored_wall_share = gaps.unexplored_share;
   if (config_.doors == DoorMethod::kEvidence) {

@@ -75,7 +75,7 @@ class RoomDetector {
   bool is_closed(const SearchResult& best) const;
   std::vector<std::size_t> stands_in(const Rectangle& room) const;
   std::vector<WallPoint> cells_far_from(const std::vector<StandPoints>& stands, const WallBand& band) const;
-  std::vector<WallPoint> door_hits(const Detection& d) const;
+  std::vector<PlacedHits> jamb_hits(const Detection& d) const;
   std::vector<Sightings> sightings(const Detection& d) const;
 
   RoomDetectorConfig config_;

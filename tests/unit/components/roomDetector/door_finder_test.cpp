@@ -112,7 +112,7 @@ HitMap seen_behind(float depth_m) {
 }
 
 WallGaps gaps_seen(const ColumnMap& map, const HitMap& seen) {
-  const std::vector<Sightings> sightings{{Point2::Zero(), &seen}};
+  const std::vector<Sightings> sightings{{Point2::Zero(), {&seen}}};
   return DoorFinder({}).find(map, kDoorRoom, {}, sightings);
 }
 

@@ -28,8 +28,15 @@ void add_reveals(std::vector<WallPoint>& hits) {
   }
 }
 
-WallInterval fitted(const std::vector<WallPoint>& hits) {
-  return fit_jambs(hits_by_wall(hits, kJambRoom, 0, {}), kCells, {}).gap;
+WallInterval fitted(const std::vector<WallPoint>& points) {
+  std::vector<CellHit> returns;
+  for (const WallPoint& p : points)
+    returns.push_back({static_cast<float>(p.position.x()), static_cast<float>(p.position.y()), 1.0F,
+                       static_cast<std::uint16_t>(p.weight)});
+  HitMap seen;
+  seen.add(returns, 3.0, 0.01);
+  const std::vector<PlacedHits> hits{{&seen}};
+  return fit_jambs(hits_beside(hits, kJambRoom, kCells, {}), kCells, {}).gap;
 }
 
 TEST(FitJambs, StaysAtTheCellsWhereNothingWasSeen) { EXPECT_EQ(fitted({}), kCells); }
