@@ -97,7 +97,7 @@ room_detector::RoomDetectorConfig planar(room_detector::RoomDetectorConfig confi
   config.band.wall_band_from_m = config.door_finder.band_from_m = from_m;
   config.band.wall_band_to_m = config.door_finder.band_to_m = to_m;
   config.door_finder.sill_m = to_m;
-  config.door_finder.beyond_floor_m = 0.0;
+  config.beyond_floor_m = 0.0;
   return config;
 }
 

@@ -43,6 +43,13 @@ class ColumnIndex {
     }
     return tiles_[last_tile_][place_of(x, y)];
   }
+  struct Place {
+    int x, y;
+  };
+  /// Where entry `i` of a tile lies, from its corner.
+  static Place in_tile(std::size_t i) {
+    return {static_cast<int>(i) >> kBits, static_cast<int>(i) & (kSide - 1)};
+  }
   /// Calls visit(lowest x, lowest y, tile) for one tile after the other.
   template <class Visit>
   void for_each_tile(Visit&& visit) const {
@@ -50,9 +57,6 @@ class ColumnIndex {
   }
 
  private:
-  struct Corner {
-    int x, y;
-  };
   // No tile of 16-bit coordinates has it.
   static constexpr std::uint32_t kNoKey = 0xFFFF'FFFF;
 
@@ -66,7 +70,7 @@ class ColumnIndex {
 
   std::unordered_map<std::uint32_t, std::size_t> tile_of_;
   std::vector<Tile> tiles_;
-  std::vector<Corner> corners_;  // of the tiles
+  std::vector<Place> corners_;  // of the tiles
   mutable std::uint32_t last_key_ = kNoKey;
   mutable std::size_t last_tile_ = 0;
 };

@@ -47,10 +47,15 @@ struct Column {
   Levels free;
 };
 
+inline constexpr double kCountedFrom_m = 0.3;
+
 /// The grid, kept by column: the projection onto the floor plane that section III works on, and the heights
 /// for the doors. Columns keep the order in which they were first heard of.
 class ColumnMap {
  public:
+  /// Cells at or above this height are counted by column.
+  explicit ColumnMap(double counted_from_m = kCountedFrom_m) : counted_from_m_(counted_from_m) {}
+
   /// Forgets everything.
   void clear(double resolution_m);
   void apply(const std::vector<GridCell>& cells);
@@ -60,9 +65,7 @@ class ColumnMap {
   const Column* find(int x, int y) const;
   /// The column under a point; null where nothing is known.
   const Column* find(const Point2& p) const;
-  Point2 centre(const Column& column) const {
-    return {(column.x + 0.5) * resolution_m_, (column.y + 0.5) * resolution_m_};
-  }
+  Point2 centre(const Column& column) const { return centre(column.x, column.y); }
   std::size_t index_of(const Column& column) const {
     return static_cast<std::size_t>(&column - columns_.data());
   }
@@ -76,17 +79,23 @@ class ColumnMap {
       }
     }
   }
-  /// Calls visit(column) for the columns whose centre the region contains.
+  /// Known cells of a column that are counted.
+  struct Counts {
+    std::uint8_t occupied = 0, free = 0;
+  };
+  static_assert(kLevels - kBelowFloor <= 255);
+  /// Calls visit(counts) for the columns whose centre the region contains. A room beyond a door has
+  /// thousands: the columns themselves are not looked at.
   template <class Visit>
   void visit_within(const ConvexRegion& region, Visit visit) const {
     const double half_m = 0.5 * ColumnIndex::kSide * resolution_m_;
     index_.for_each_tile([&](int x, int y, const ColumnIndex::Tile& tile) {
       const Point2 corner(x * resolution_m_, y * resolution_m_);
       if (!region.may_meet(corner + Point2::Constant(half_m), std::sqrt(2.0) * half_m)) return;
-      for (const std::int32_t i : tile) {
-        if (i == ColumnIndex::kNone) continue;
-        const Column& column = columns_[static_cast<std::size_t>(i)];
-        if (region.contains(centre(column))) visit(column);
+      for (std::size_t at = 0; at < tile.size(); ++at) {
+        if (tile[at] == ColumnIndex::kNone) continue;
+        const auto [in_x, in_y] = ColumnIndex::in_tile(at);
+        if (region.contains(centre(x + in_x, y + in_y))) visit(counts_[static_cast<std::size_t>(tile[at])]);
       }
     });
   }
@@ -96,10 +105,13 @@ class ColumnMap {
   std::vector<std::size_t> take_changed();
 
  private:
-  Column& column_at(const GridCell& cell);
+  std::size_t index_at(const GridCell& cell);
+  Point2 centre(int x, int y) const { return {(x + 0.5) * resolution_m_, (y + 0.5) * resolution_m_}; }
 
+  double counted_from_m_;
   double resolution_m_ = 0.05;
   std::vector<Column> columns_;
+  std::vector<Counts> counts_;  // of the columns
   std::vector<bool> is_changed_;
   std::vector<std::size_t> changed_;
   ColumnIndex index_;

@@ -67,15 +67,14 @@ void count_beyond(const Wall& wall, const WallInterval& gap, const DoorFinderCon
                   DoorEvidence& evidence) {
   const Segment segment = wall.rectangle.wall(wall.index);
   const Point2 along = segment.direction(), outwards = wall.rectangle.normal(wall.index);
-  const Levels heights = level_range(level_of(config.beyond_floor_m, wall.map.resolution_m()), kLevels);
   ConvexRegion wedge;
   wedge.cut(segment.from + config.beyond_from_m * outwards, outwards)
       .cut(segment.from + config.beyond_to_m * outwards, -outwards)
       .cut(segment.from + gap.from_m * along, (along + outwards).normalized())
       .cut(segment.from + gap.to_m * along, (outwards - along).normalized());
-  wall.map.visit_within(wedge, [&](const Column& column) {
-    evidence.beyond_occupied_cells += static_cast<std::uint32_t>(count_of(column.occupied & heights));
-    evidence.beyond_free_cells += static_cast<std::uint32_t>(count_of(column.free & heights));
+  wall.map.visit_within(wedge, [&](const ColumnMap::Counts& counts) {
+    evidence.beyond_occupied_cells += counts.occupied;
+    evidence.beyond_free_cells += counts.free;
   });
 }
 

@@ -21,8 +21,7 @@ struct DoorFinderConfig {
   double min_unexplored_m = 0.2;     ///< shorter stretches without evidence are not reported
   double min_returns_behind = 30.0;  ///< seen through the gap; fewer: glass, or nothing in reach of the laser
   double beyond_from_m = 0.3;        ///< what lies so far behind the wall …
-  double beyond_to_m = 8.0;          ///< … to so far, and
-  double beyond_floor_m = 0.3;       ///< so high above the floor, tells a room from open ground
+  double beyond_to_m = 8.0;          ///< … to so far tells a room from open ground
   JambFitConfig jamb;
 };
 

@@ -36,6 +36,7 @@ Pose2 correction_of(const Detection& d, std::size_t stand) {
 
 RoomDetector::RoomDetector(const RoomDetectorConfig& config)
     : config_(config),
+      map_(config.beyond_floor_m),
       votes_(config.votes, config.hough),
       search_(config.search, config.hough),
       fitter_(config.fit),

@@ -30,6 +30,7 @@ struct RoomDetectorConfig {
   JointFitConfig joint;
   DoorMethod doors = DoorMethod::kEvidence;
   DoorFinderConfig door_finder;
+  double beyond_floor_m = kCountedFrom_m;  ///< what lies behind a door counts from this height on
   PaperDoorsConfig paper_doors;
   StandsConfig stands;
 };

@@ -88,7 +88,6 @@ void bind(ConfigBinder& c, DoorFinderConfig& doors) {
   c.number("min_returns_behind", doors.min_returns_behind, 0.0, 1e6);
   c.number("beyond_from_m", doors.beyond_from_m, 0.0, 5.0);
   c.number("beyond_to_m", doors.beyond_to_m, 0.1, 30.0);
-  c.number("beyond_floor_m", doors.beyond_floor_m, 0.0, 2.0);
   c.group("jamb", [&](ConfigBinder& g) { bind(g, doors.jamb); });
 }
 
@@ -108,7 +107,10 @@ void bind(ConfigBinder& c, RoomDetectorNodeConfig& config) {
   c.group("joint", [&](ConfigBinder& g) { bind(g, d.joint); });
   c.group("stands", [&](ConfigBinder& g) { bind(g, d.stands); });
   c.choice("doors", d.doors, {{"paper", DoorMethod::kPaper}, {"evidence", DoorMethod::kEvidence}});
-  c.group("door_finder", [&](ConfigBinder& g) { bind(g, d.door_finder); });
+  c.group("door_finder", [&](ConfigBinder& g) {
+    bind(g, d.door_finder);
+    g.number("beyond_floor_m", d.beyond_floor_m, 0.0, 2.0);
+  });
   c.group("paper_doors",
           [&](ConfigBinder& g) { g.number("min_length_m", d.paper_doors.min_length_m, 0.0, 5.0); });
 }
