@@ -230,7 +230,9 @@ struct JointFitter::Problem {
              int iterations) {
     for (int i = 0; i < iterations; ++i) {
       const System s = system(stands, config, fit);
-      step(stands, s.normal.ldlt().solve(s.rhs));
+      const Vector x = s.normal.ldlt().solve(s.rhs);
+      step(stands, x);
+      if (x.norm() < kSettled) break;
     }
   }
 

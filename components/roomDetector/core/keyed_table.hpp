@@ -15,12 +15,14 @@ class KeyedTable {
   const std::deque<Entry>& entries() const { return entries_; }
   /// The entry with this key; a new one where there is none.
   Entry& at(std::uint64_t key) {
+    if (last_ < entries_.size() && entries_[last_].key == key) return entries_[last_];
     if (4 * (entries_.size() + 1) > 3 * slots_.size()) grow();
     std::size_t slot = slot_of(key);
     for (; slots_[slot] != 0; slot = (slot + 1) & (slots_.size() - 1)) {
-      Entry& known = entries_[slots_[slot] - 1];
-      if (known.key == key) return known;
+      last_ = slots_[slot] - 1;
+      if (entries_[last_].key == key) return entries_[last_];
     }
+    last_ = entries_.size();
     entries_.emplace_back().key = key;
     slots_[slot] = static_cast<std::uint32_t>(entries_.size());
     return entries_.back();
@@ -42,6 +44,7 @@ class KeyedTable {
   }
 
   std::vector<std::uint32_t> slots_;  // 1 + place among the entries, by hash of the key; 0 = none
+  std::size_t last_ = 0;              // the entry asked for last: often the next one, too
   std::deque<Entry> entries_;         // never copied to grow: there may be many MB of them
 };
 

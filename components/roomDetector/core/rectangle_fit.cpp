@@ -44,10 +44,27 @@ WallStep step_to_densest(std::span<const WallPoint> points, const Rectangle& r, 
   return step;
 }
 
-double gate_at(const RectangleFitConfig& config, double first_gate_m, int iteration) {
-  const double t = std::min(1.0, iteration / std::max(1.0, config.iterations - 3.0));
-  return first_gate_m * std::pow(config.last_gate_m / first_gate_m, t);
-}
+/// The gate narrows from step to step, and faster where the rectangle stands still: it reaches the last gate
+/// three iterations before the end, or sooner.
+class NarrowingGate {
+ public:
+  NarrowingGate(const RectangleFitConfig& config, double first_gate_m)
+      : last_m_(config.last_gate_m),
+        by_step_(std::pow(last_m_ / first_gate_m, 1.0 / std::max(1.0, config.iterations - 3.0))),
+        gate_m_(first_gate_m) {}
+
+  double gate_m() const { return gate_m_; }
+  bool is_last() const { return gate_m_ <= last_m_; }
+  void narrow(double step) {
+    constexpr double kStill = 0.02;  // of the gate
+    constexpr int kStepsAtOnce = 4;
+    const double by = step < kStill * gate_m_ ? std::pow(by_step_, kStepsAtOnce) : by_step_;
+    gate_m_ = std::max(last_m_, by * gate_m_);
+  }
+
+ private:
+  double last_m_, by_step_, gate_m_;
+};
 
 /// Keeps unseen walls (and, with none seen, α) where they are.
 void hold_unseen(WallEquations& e, double min_wall_weight) {
@@ -61,13 +78,16 @@ void hold_unseen(WallEquations& e, double min_wall_weight) {
 template <int Free>
 Rectangle iterate(std::span<const WallPoint> points, Rectangle r, const RectangleFitConfig& config,
                   double first_gate_m, const Eigen::Matrix<double, 5, Free>& basis) {
+  NarrowingGate gate(config, first_gate_m);
   for (int k = 0; k < config.iterations; ++k) {
-    WallEquations e = wall_equations(points, r, gate_at(config, first_gate_m, k), config.corner_m);
+    WallEquations e = wall_equations(points, r, gate.gate_m(), config.corner_m);
     hold_unseen(e, Free == 5 ? config.min_wall_weight : 0.0);
     const Eigen::Matrix<double, Free, Free> normal = basis.transpose() * e.normal * basis;
     const Eigen::Matrix<double, Free, 1> right = basis.transpose() * e.rhs;
     const Eigen::Matrix<double, Free, 1> step = normal.ldlt().solve(right);
     r = moved(r, basis * step);
+    if (gate.is_last() && step.norm() < kSettled) break;
+    gate.narrow(step.norm());
   }
   return r;
 }

@@ -15,6 +15,8 @@ namespace enfilade::room_detector {
 /// (δα, δo_0 … δo_3): a turn about the centre, and how far each wall moves outwards.
 using WallStep = Eigen::Matrix<double, 5, 1>;
 using WallMatrix = Eigen::Matrix<double, 5, 5>;
+/// m and rad: a step so small shows in no figure.
+inline constexpr double kSettled = 1e-6;
 
 /// Tukey's weight of a residual: 1 at none, 0 from the gate on.
 double tukey(double residual_m, double gate_m);
