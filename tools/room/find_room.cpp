@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/room/find_room.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <deque>
 #include <set>
 #include <utility>
 
 #include "tools/draw/figures.hpp"
+#include "tools/room/outline_choice.hpp"
 #include "tools/room/view.hpp"
 
 namespace enfilade::room {
@@ -14,15 +17,14 @@ namespace {
 constexpr int kPlanarLayers = 5;  // that the one layer of a level sensor stands for
 
 // In one layer a cupboard cannot be told from a wall, and a room with the corridor behind its open door is
-// bounded like one room: there is no lintel. What tells these apart is that little of the outline of both was
-// seen, and that walls stand inside: strict weights hold that against them. Where they leave nothing, as in a
-// corridor or a room half hidden, laxer ones are tried, and last such as forgive many open doors.
-// Factors on the weights of the configuration.
+// bounded like one room: there is no lintel. How much should be held against a rectangle, unseen outline and
+// things inside, differs from building to building: each of these gives a proposal, from strict to such as
+// forgive many open doors. Factors on the weights of the configuration.
 struct Strictness {
   double toll, interior, free;
 };
 constexpr Strictness kPlanarStrictness[] = {
-    {6.0, 1.0, 1.0}, {4.0, 0.0, 1.0}, {1.0, 0.0, 1.0}, {1.0, 0.0, 0.5}};
+    {6.0, 4.0, 1.0}, {6.0, 1.0, 1.0}, {1.0, 0.0, 1.0}, {1.0, 0.0, 0.5}};
 
 constexpr double kMargin_m = 1.5, kPoint_px = 5.0;
 constexpr double kPictureFrom_m = 0.15, kPictureTo_m = 2.2;  // heights shown
@@ -63,7 +65,7 @@ void thicken(std::vector<GridCell>& cells) {
   }
 }
 
-/// Those to be tried in turn until one finds a room.
+/// One for each proposal.
 std::vector<room_detector::RoomDetectorConfig> suited_to(const Survey& survey,
                                                          room_detector::RoomDetectorConfig config) {
   config.hough.step_m = std::max(config.hough.step_m, survey.resolution_m);
@@ -79,13 +81,35 @@ std::vector<room_detector::RoomDetectorConfig> suited_to(const Survey& survey,
   return configs;
 }
 
-RoomEstimate detect(const Survey& view, const Pose2& T_survey_robot,
-                    const room_detector::RoomDetectorConfig& config) {
+room_detector::RoomDetector detector_of(const Survey& view, const Pose2& T_survey_robot,
+                                        const room_detector::RoomDetectorConfig& config) {
   room_detector::RoomDetector detector(config);
   detector.clear(view.resolution_m);
   detector.update({.resolution_m = view.resolution_m, .cells = view.cells});
   if (!view.hits.empty()) detector.add_hits({.T_zone_base = T_survey_robot, .hits = view.hits});
-  return detector.estimate(T_survey_robot).estimate;
+  return detector;
+}
+
+/// The most plausible outline of all that the proposals suggest.
+RoomEstimate find_planar(const Survey& view, const Pose2& T_survey_robot,
+                         const std::vector<room_detector::RoomDetectorConfig>& configs) {
+  std::deque<room_detector::RoomDetector> detectors;
+  std::vector<RoomEstimate> proposals;
+  std::vector<Rectangle> seeds;
+  for (const auto& config : configs) {
+    detectors.push_back(detector_of(view, T_survey_robot, config));
+    const RoomEstimate estimate = detectors.back().estimate(T_survey_robot).estimate;
+    if (!estimate.found) continue;
+    proposals.push_back(estimate);
+    seeds.push_back(estimate.rectangle);
+  }
+  const OutlineLimits limits{configs.front().search.side_min_m, configs.front().search.side_max_m};
+  const auto outline = choose_outline(seeds, look_around(view, T_survey_robot.translation()), limits);
+  if (!outline) return {};
+  const auto proposed = std::find(seeds.begin(), seeds.end(), *outline);
+  if (proposed != seeds.end()) return proposals[static_cast<std::size_t>(proposed - seeds.begin())];
+  const RoomEstimate described = detectors.back().describe(*outline).estimate;
+  return described.found ? described : proposals.front();
 }
 
 }  // namespace
@@ -108,10 +132,10 @@ FoundRoom find_room(const Survey& survey, const room_detector::RoomDetectorConfi
   Survey view = survey.is_fused ? seen_from(T_survey_robot.translation(), survey) : survey;
   if (view.is_planar) thicken(view.cells);
   FoundRoom found{.T_file_robot = survey.T_file_survey * T_survey_robot, .points = standing_columns(survey)};
-  for (const room_detector::RoomDetectorConfig& suited : suited_to(survey, config)) {
-    found.estimate = detect(view, T_survey_robot, suited);
-    if (found.estimate.found) break;
-  }
+  const auto configs = suited_to(survey, config);
+  found.estimate = view.is_planar
+                       ? find_planar(view, T_survey_robot, configs)
+                       : detector_of(view, T_survey_robot, configs.front()).estimate(T_survey_robot).estimate;
   if (found.estimate.found) found.estimate = moved(survey.T_file_survey, found.estimate);
   return found;
 }

@@ -27,6 +27,19 @@ std::optional<Pose2> usable(const std::optional<Pose2>& T_zone_base) {
 constexpr double kLeastWall_m =
     0.3;  // of net evidence, that a room ends there; the corner of another wall is less
 
+/// The nearest rectangle of the space.
+std::optional<BinRectangle> bins_of(const Rectangle& r, const HoughSpace& space) {
+  const HoughLattice& lattice = space.lattice();
+  const double first = lattice.alpha_rad(0);
+  const int angle = static_cast<int>(std::lround((r.yaw_rad - first) / lattice.theta_step_rad()));
+  const int alpha = std::clamp(angle, 0, lattice.angles() - 1);
+  const auto low = space.bins_of(alpha, r.corner(3)), high = space.bins_of(alpha, r.corner(1));
+  const bool is_held = lattice.holds(low.d) && lattice.holds(low.p) && lattice.holds(high.d) &&
+                       lattice.holds(high.p) && low.d < high.d && low.p < high.p;
+  if (!is_held) return std::nullopt;
+  return BinRectangle{alpha, low.d, high.d, low.p, high.p};
+}
+
 Pose2 correction_of(const Detection& d, std::size_t stand) {
   const auto& corrections = d.diagnostics.corrections;
   return stand < corrections.size() ? corrections[stand] : Pose2{};
@@ -67,22 +80,40 @@ void RoomDetector::add_hits(const ScanHits& hits) { stands_.add(hits, map_.resol
 Detection RoomDetector::estimate(const std::optional<Pose2>& T_zone_robot) {
   const std::optional<Pose2> T_zone_base = usable(T_zone_robot);
   Detection d;
-  const WallBand band = choose_wall_band(map_, config_.band);
+  band_ = choose_wall_band(map_, config_.band);
   const auto robot = T_zone_base ? std::optional(T_zone_base->translation()) : std::nullopt;
   const HoughSpace& space =
-      votes_.update(map_, band, origin_near(T_zone_base), robot);  // eq. 1–3, steps 1, 2
-  stands_.follow(band);
+      votes_.update(map_, band_, origin_near(T_zone_base), robot);  // eq. 1–3, steps 1, 2
+  stands_.follow(band_);
   const auto best = search_.find_best(space, robot);  // eq. 5–9, step 3
   if (!best || best->score <= 0 || !is_closed(*best)) return d;
-  d.diagnostics = {
-      .above_furniture = band.above_furniture, .search = *best, .coarse = space.rectangle(best->rectangle)};
+  d.diagnostics.search = *best;
+  d.diagnostics.coarse = space.rectangle(best->rectangle);  // eq. 10–13, step 4
+  complete(d, space);
+  return d;
+}
+
+Detection RoomDetector::describe(const Rectangle& outline) {
+  Detection d;
+  if (!votes_.space()) return d;
+  const HoughSpace& space = *votes_.space();
+  const auto bins = bins_of(canonical(outline).rectangle, space);
+  if (!bins) return d;
+  d.diagnostics.search = {.rectangle = *bins, .score = space.score(*bins), .walls = space.walls(*bins)};
+  d.diagnostics.coarse = canonical(outline).rectangle;
+  complete(d, space);
+  return d;
+}
+
+/// All that follows from the coarse rectangle.
+void RoomDetector::complete(Detection& d, const HoughSpace& space) const {
+  d.diagnostics.above_furniture = band_.above_furniture;
   d.estimate.found = true;
-  d.estimate.score = best->score / votes_.unit();
-  d.estimate.rectangle = d.diagnostics.coarse;  // eq. 10–13, step 4
-  if (config_.refine) refine(d, band);
+  d.estimate.score = d.diagnostics.search.score / votes_.unit();
+  d.estimate.rectangle = d.diagnostics.coarse;
+  if (config_.refine) refine(d, band_);
   find_doors(d, space);  // eq. 14–16
   fit_recent(d);         // r(i+1) of eq. 18–19
-  return d;
 }
 
 RoomDiagnostics RoomDetector::explain(const Detection& d) const {

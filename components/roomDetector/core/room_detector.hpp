@@ -65,10 +65,14 @@ class RoomDetector {
   /// The room model of this moment. `robot` is where the robot stands in the zone frame, if that is known.
   /// The caller fills in tag, sequence and stamps.
   Detection estimate(const std::optional<Pose2>& T_zone_base);
+  /// The room model with `outline` in place of the argmax of the last estimate; nothing found where the Hough
+  /// space does not hold it.
+  Detection describe(const Rectangle& outline);
   /// Why the last estimate is what it is. The caller fills in tag, sequence and stamp.
   RoomDiagnostics explain(const Detection& d) const;
 
  private:
+  void complete(Detection& d, const HoughSpace& space) const;
   void refine(Detection& d, const WallBand& band) const;
   void find_doors(Detection& d, const HoughSpace& space) const;
   void fit_recent(Detection& d) const;
@@ -81,6 +85,7 @@ class RoomDetector {
 
   RoomDetectorConfig config_;
   ColumnMap map_;
+  WallBand band_;  ///< of the last estimate
   WallVotes votes_;
   RectangleSearch search_;
   RectangleFitter fitter_;

@@ -97,6 +97,27 @@ TEST(RoomDetector, KeepsTheWallsOfASnapshotWhenTheFirstLineComes) {
   expect_same(after.estimate.rectangle, room.rectangle(), 0.05);
 }
 
+TEST(RoomDetector, DescribesAnOutlineThatItDidNotChoose) {
+  const auto room = paper_room({0.4, -0.3, 0.3});
+  const Pose2 T_zone_base = room.T_zone_room * Pose2{0.1, -0.2, 0.4};
+  RoomDetector detector({});
+  EXPECT_FALSE(detector.describe(room.rectangle()).estimate.found) << "nothing is known yet";
+  test::SimGrid grid;
+  detector.clear(grid.resolution_m());
+  for (const ScanHits& line : grid.sweep(room, T_zone_base, kCoarse)) detector.add_hits(line);
+  detector.update(grid.changes());
+  const auto chosen = detector.estimate(T_zone_base);
+  Rectangle roughly = room.rectangle();
+  roughly.width_m += 0.08;
+  const auto described = detector.describe(roughly);
+  ASSERT_TRUE(described.estimate.found);
+  expect_same(described.estimate.rectangle, room.rectangle(), 0.005);
+  EXPECT_EQ(described.estimate.doors.size(), chosen.estimate.doors.size());
+  EXPECT_DOUBLE_EQ(detector.describe(chosen.diagnostics.coarse).estimate.score, chosen.estimate.score);
+  roughly.x_m += 100.0;
+  EXPECT_FALSE(detector.describe(roughly).estimate.found) << "beyond the Hough space";
+}
+
 TEST(RoomDetector, LooksAtTheTopOfLowWalls) {
   auto room = test::RoomBuilder(4.0, 3.0, 1.2).box(-2.0, -1.5, 2.0, -0.9, 0.6).build();
   room.boxes.pop_back();  // the ceiling

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -65,6 +66,20 @@ TEST(FindRoom, TellsARoomFromTheCorridorBehindItsOpenDoorThoughThereIsNoLintel) 
   const FoundRoom room = find_room(survey, {}, Point2(-5.5, -1.5));
   ASSERT_TRUE(room.estimate.found);
   EXPECT_NEAR(room.estimate.rectangle.area_m2(), 9.0, 1.0);
+}
+
+TEST(FindRoom, TakesTheCubicleAndNotBothThatFaceEachOther) {
+  const Survey survey = survey_of_map(
+      {0, 200, 0, 120},
+      {{60, 116, 10, 46}, {64, 92, 46, 48}, {2, 198, 48, 72}, {64, 92, 72, 74}, {60, 116, 74, 110}});
+  const FoundRoom room = find_room(survey, {}, Point2(-6.0, -2.6));
+  ASSERT_TRUE(room.estimate.found);
+  EXPECT_NEAR(room.estimate.rectangle.height_m, 1.8, 0.15);
+  EXPECT_NEAR(room.estimate.rectangle.width_m, 2.8, 0.15);
+  const auto& doors = room.estimate.doors;
+  EXPECT_EQ(std::count_if(doors.begin(), doors.end(),
+                          [](const DoorEstimate& d) { return d.state == DoorState::kOpen; }),
+            1);
 }
 
 TEST(FindRoom, SaysHowWideACorridorIsOfWhichOneEndWasSeen) {
