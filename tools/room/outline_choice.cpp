@@ -14,16 +14,16 @@ namespace {
 
 constexpr double kBin_m = 0.05, kSurfaceReach_m = 16.0;
 constexpr std::size_t kBins = static_cast<std::size_t>(2.0 * kSurfaceReach_m / kBin_m);
-constexpr std::size_t kApart = 3;        // bins between two lines
-constexpr double kLeastSurface_m = 0.3;  // that makes a line
-constexpr double kAlong = 0.35;          // sine of the angle by which a surface may differ from a line
-constexpr std::size_t kNeighbour = 2;    // sights on either side that tell which way a surface runs
-constexpr double kSameSurface_m = 0.3;   // between these; or
+constexpr std::size_t kApart = 3;          // bins between two lines
+constexpr double kLeastSurface_m = 0.3;    // that makes a line
+constexpr double kAlong = 0.35;            // sine of the angle by which a surface may differ from a line
+constexpr std::size_t kNeighbour = 2;      // sights on either side that tell which way a surface runs
+constexpr double kSameSurface_m = 0.3;     // between these; or
 constexpr double kSameSurfaceShare = 0.5;  // of the range
 constexpr std::size_t kLines = 5;          // on each side, those with most surface
 constexpr double kSameYaw_rad = 0.035;
-constexpr double kInside_m = 0.05;         // by which the robot is inside
-constexpr double kSame_m = 0.1;            // between the sides of rectangles that count as the same
+constexpr double kInside_m = 0.05;  // by which the robot is inside
+constexpr double kSame_m = 0.1;     // between the sides of rectangles that count as the same
 
 /// Metres of surface by where its line crosses one axis, from the robot.
 using Surfaces = std::array<double, kBins>;
@@ -82,7 +82,8 @@ std::vector<std::pair<double, double>> spans(const Lines& lines, const OutlineLi
   std::vector<std::pair<double, double>> all;
   for (const double from : lines.below)
     for (const double to : lines.above)
-      if (from < -kInside_m && to > kInside_m && to - from >= limits.side_min_m && to - from <= limits.side_max_m)
+      if (from < -kInside_m && to > kInside_m && to - from >= limits.side_min_m &&
+          to - from <= limits.side_max_m)
         all.emplace_back(from, to);
   return all;
 }

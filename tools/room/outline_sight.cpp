@@ -10,17 +10,17 @@
 namespace enfilade::room {
 namespace {
 
-constexpr double kOnWall_m = 0.15;      // so near the outline is on it
-constexpr double kOnWall_cells = 2.0;   // at least
-constexpr double kBridged_m = 0.6;      // hidden stretches so short are what is beside them
-constexpr double kNarrow_m = 0.6;       // narrower than any door
-constexpr double kDoor_m = 1.2;  // wider than a door
-constexpr double kNothing_m = 0.05;     // and wider than an error of the grid
-constexpr double kNiche_m = 0.8;        // furniture is no deeper
-constexpr double kSeenWall_m = 0.6;     // of a wall: enough to say where it is
-constexpr double kFurniture_m = 1.5;    // furniture is no longer
-constexpr double kSameThing_m = 0.3;    // between neighbouring sights
-constexpr double kGrazing = 0.05;       // sine of the flattest angle at which outline is measured
+constexpr double kOnWall_m = 0.15;     // so near the outline is on it
+constexpr double kOnWall_cells = 2.0;  // at least
+constexpr double kBridged_m = 0.6;     // hidden stretches so short are what is beside them
+constexpr double kNarrow_m = 0.6;      // narrower than any door
+constexpr double kDoor_m = 1.2;        // wider than a door
+constexpr double kNothing_m = 0.05;    // and wider than an error of the grid
+constexpr double kNiche_m = 0.8;       // furniture is no deeper
+constexpr double kSeenWall_m = 0.6;    // of a wall: enough to say where it is
+constexpr double kFurniture_m = 1.5;   // furniture is no longer
+constexpr double kSameThing_m = 0.3;   // between neighbouring sights
+constexpr double kGrazing = 0.05;      // sine of the flattest angle at which outline is measured
 
 enum class Seen { kWall, kOpen, kFurniture, kNothing };
 
@@ -29,8 +29,8 @@ bool is_hidden(Seen seen) { return seen == Seen::kFurniture || seen == Seen::kNo
 /// Where one sight crosses the outline, in the frame of the rectangle.
 struct Crossing {
   Seen seen = Seen::kNothing;
-  std::size_t wall = 0;  // as Rectangle counts them
-  double length_m = 0.0;  // of outline that this sight stands for
+  std::size_t wall = 0;         // as Rectangle counts them
+  double length_m = 0.0;        // of outline that this sight stands for
   Point2 end = Point2::Zero();  // of the sight
   double beyond_m = 0.0;        // by which the end lies outside
   bool meets = false;
@@ -52,7 +52,8 @@ class Look {
     const Point2 near = 0.99 * half_;  // a robot on the very outline is taken in
     const Point2 robot = (T_outline_zone * panorama.place).cwiseMax(-near).cwiseMin(near);
     for (const Sight& sight : panorama.sights)
-      crossings_.push_back(cross(robot, rotate(-outline.yaw_rad, sight.direction), sight, panorama.step_rad()));
+      crossings_.push_back(
+          cross(robot, rotate(-outline.yaw_rad, sight.direction), sight, panorama.step_rad()));
     bridge(stretches());
   }
 
@@ -114,7 +115,8 @@ class Look {
     std::vector<Stretch> found;
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t i = after(first, k);
-      if (found.empty() || found.back().seen != crossings_[i].seen) found.push_back({crossings_[i].seen, i, 0, 0.0});
+      if (found.empty() || found.back().seen != crossings_[i].seen)
+        found.push_back({crossings_[i].seen, i, 0, 0.0});
       ++found.back().count;
       found.back().length_m += crossings_[i].length_m;
     }
@@ -151,11 +153,14 @@ class Look {
 
 }  // namespace
 
-OutlineSight sight_of(const Rectangle& outline, const Panorama& panorama) { return Look(outline, panorama).tell(); }
+OutlineSight sight_of(const Rectangle& outline, const Panorama& panorama) {
+  return Look(outline, panorama).tell();
+}
 
 double implausibility(const OutlineSight& sight) {
-  return sight.open_m + sight.wide_m + 0.25 * sight.hidden_m + 2.0 * sight.narrow_gaps + 4.0 * sight.niches_m -
-         3.0 * sight.seen_shares + 3.0 * sight.bare_walls + 0.4 * sight.long_furniture_m;
+  return sight.open_m + sight.wide_m + 0.25 * sight.hidden_m + 2.0 * sight.narrow_gaps +
+         4.0 * sight.niches_m - 3.0 * sight.seen_shares + 3.0 * sight.bare_walls +
+         0.4 * sight.long_furniture_m;
 }
 
 }  // namespace enfilade::room

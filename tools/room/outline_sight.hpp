@@ -14,9 +14,9 @@ struct OutlineSight {
   double open_m = 0.0;       ///< outline that sights go through
   double wide_m = 0.0;       ///< of open stretches, what is wider than a door
   double narrow_gaps = 0.0;  ///< open stretches too narrow for a door
-  double niches_m = 0.0;     ///< outline with something standing closely behind: it is not what bounds the room
-  double seen_shares = 0.0;  ///< of each wall, what was seen of it: 0 … 4 together
-  double bare_walls = 0.0;   ///< walls of which next to nothing was seen: 0 … 4
+  double niches_m = 0.0;  ///< outline with something standing closely behind: it is not what bounds the room
+  double seen_shares = 0.0;       ///< of each wall, what was seen of it: 0 … 4 together
+  double bare_walls = 0.0;        ///< walls of which next to nothing was seen: 0 … 4
   double long_furniture_m = 0.0;  ///< of things inside, what is longer than furniture is
 };
 

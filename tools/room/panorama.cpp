@@ -11,7 +11,7 @@ namespace {
 constexpr int kSights = 720;
 constexpr double kFarthest_m = 16.0;
 constexpr double kOwnPlace_m = 0.3;  // the robot's own place may not have been seen
-constexpr int kBridgedCells = 2;   // cells that no measurement happened to pass
+constexpr int kBridgedCells = 2;     // cells that no measurement happened to pass
 
 CellState state_at(const room_detector::ColumnIndex& states, const Point2& p) {
   const auto state = states.find(static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y())));

@@ -31,7 +31,8 @@ struct PlanarWorld {
       const double cross = direction.x() * along.y() - direction.y() * along.x();
       const double range_m = (to.x() * along.y() - to.y() * along.x()) / cross;
       const double share = (to.x() * direction.y() - to.y() * direction.x()) / cross;
-      if (range_m > 0.0 && share >= 0.0 && share <= 1.0 && range_m < nearest.value_or(16.0)) nearest = range_m;
+      if (range_m > 0.0 && share >= 0.0 && share <= 1.0 && range_m < nearest.value_or(16.0))
+        nearest = range_m;
     }
     return nearest;
   }
