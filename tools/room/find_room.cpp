@@ -69,6 +69,8 @@ void thicken(std::vector<GridCell>& cells) {
 std::vector<room_detector::RoomDetectorConfig> suited_to(const Survey& survey,
                                                          room_detector::RoomDetectorConfig config) {
   config.hough.step_m = std::max(config.hough.step_m, survey.resolution_m);
+  // A file can wait longer than a scan line.
+  config.search.max_expansions = std::max(config.search.max_expansions, room_detector::kPatientExpansions);
   if (!survey.is_planar) return {config};
   config = planar(config, survey.resolution_m);
   std::vector<room_detector::RoomDetectorConfig> configs;

@@ -22,10 +22,14 @@ struct SearchConfig {
   SearchMethod search = SearchMethod::kExact;
   double side_min_m = 1.5;  ///< "a specific rank of w and h" (III-A)
   double side_max_m = 15.0;
-  bool robot_inside = true;     ///< only rectangles with the robot's bin strictly inside count
-  int least_score = 1;          ///< what scores less is no room
-  int max_expansions = 20'000;  ///< work after which the search gives up proving, about 1 µs each
+  bool robot_inside = true;    ///< only rectangles with the robot's bin strictly inside count
+  int least_score = 1;         ///< what scores less is no room
+  int max_expansions = 3'000;  ///< work after which the search gives up proving, 1 to 1.5 µs each: what a
+                               ///< scan line every 25 ms leaves time for
 };
+
+/// The same for those who can wait for a proof, as tools do that look at one file.
+inline constexpr int kPatientExpansions = 20'000;
 
 struct SearchResult {
   BinRectangle rectangle;

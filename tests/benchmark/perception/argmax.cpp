@@ -24,7 +24,7 @@ void argmax(benchmark::State& state, std::span<const SearchInput> inputs, const 
     for (std::size_t i = 0; i < inputs.size(); ++i) {
       state.PauseTiming();
       const HoughSpace space = inputs[i].space(hough);
-      RectangleSearch search({.search = method}, hough);
+      RectangleSearch search({.search = method, .max_expansions = kPatientExpansions}, hough);
       state.ResumeTiming();
       std::optional<SearchResult> found;
       times.measure(i, [&] { found = search.find_best(space, inputs[i].robot); });
