@@ -6,7 +6,7 @@
 
 #include <Eigen/Cholesky>
 
-#include "components/roomDetector/core/wall_equations.hpp"
+#include "components/roomDetector/core/uneven_walls.hpp"
 
 namespace enfilade::room_detector {
 namespace {
@@ -18,16 +18,11 @@ constexpr double kTogether_m = 0.06;   // walls of aligned stands lie so near
 using Vector = Eigen::VectorXd;
 using Matrix = Eigen::MatrixXd;
 
-Point2 left_of(const Point2& v) { return {-v.y(), v.x()}; }
-
 /// The correction that turns by `turn_rad` about `centre` and then shifts.
 Pose2 about(const Point2& centre, double turn_rad, const Point2& shift) {
   const Point2 t = centre + shift - rotate(turn_rad, centre);
   return {t.x(), t.y(), turn_rad};
 }
-
-/// Shift of the stand itself under a correction.
-Point2 shift_at(const Pose2& correction, const Point2& stand) { return correction * stand - stand; }
 
 std::vector<WallPoint> corrected(const StandPoints& stand, const Pose2& correction) {
   std::vector<WallPoint> points = stand.points;
@@ -37,139 +32,6 @@ std::vector<WallPoint> corrected(const StandPoints& stand, const Pose2& correcti
     point.per_range = move.turned(point.per_range);
   }
   return points;
-}
-
-/// Unknowns: δα, δo_0 … δo_3 of the rectangle, then (δx, δy, δψ) of each stand but the first, about itself.
-int first_unknown(std::size_t stand) { return 5 + 3 * (static_cast<int>(stand) - 1); }
-
-/// Normal equations N x = b, what a range bias of 1 m adds to b, and the covariance of b in units of that of
-/// one return.
-struct System {
-  Matrix normal;
-  Vector rhs, per_bias;
-  Matrix noise;
-  std::array<double, 4> support{};
-  double weight = 0.0, squares = 0.0;  ///< Σ w and Σ w ρ² of the residuals
-  double variance = 0.0;               ///< of one return
-
-  explicit System(int unknowns)
-      : normal(Matrix::Zero(unknowns, unknowns)),
-        rhs(Vector::Zero(unknowns)),
-        per_bias(Vector::Zero(unknowns)),
-        noise(Matrix::Zero(unknowns, unknowns)) {}
-};
-
-/// What the points of one stand on one wall add up to. Σ x stands for (Σ x, Σ x t, Σ x t²), t along the wall:
-/// all that is needed of them, as the row of a point's Jacobian is a line in t.
-struct WallSums {
-  Eigen::Vector3d weights = Eigen::Vector3d::Zero(), noises = weights;     ///< Σ w, Σ w² σ² / weight
-  Eigen::Vector2d residuals = Eigen::Vector2d::Zero(), beams = residuals;  ///< Σ w ρ, Σ w ∂ρ/∂range
-  double support = 0.0, squares = 0.0;                                     ///< Σ weight, Σ w ρ²
-};
-
-std::array<WallSums, 4> wall_sums(const StandPoints& stand, const Pose2& correction, const Rectangle& r,
-                                  const RectangleFitConfig& config) {
-  std::array<WallSums, 4> sums;
-  const PointMover move(correction);
-  const WallSights sights(r, config.last_gate_m, config.corner_m);
-  const std::array<Point2, 4> normals{r.normal(0), r.normal(1), r.normal(2), r.normal(3)};
-  for (const WallPoint& point : stand.points) {
-    const WallSight sight = sights.of(move(point.position));
-    if (sight.wall < 0) continue;
-    WallSums& sum = sums[static_cast<std::size_t>(sight.wall)];
-    const double share = tukey(sight.residual_m, config.last_gate_m), w = point.weight * share;
-    const double beam = normals[static_cast<std::size_t>(sight.wall)].dot(move.turned(point.per_range));
-    const double slant = point.per_range.isZero() ? 1.0 : beam * beam;
-    const Eigen::Vector3d powers(1.0, sight.along_m, sight.along_m * sight.along_m);
-    sum.weights += w * powers;
-    sum.noises += w * share * slant * powers;
-    sum.residuals += w * sight.residual_m * powers.head<2>();
-    sum.beams += w * beam * powers.head<2>();
-    sum.support += point.weight;
-    sum.squares += w * sight.residual_m * sight.residual_m;
-  }
-  return sums;
-}
-
-/// The row of the Jacobian of a point `t` along a wall, over (δα, δo_wall, δx, δy, δψ), is at_centre + t ·
-/// per_metre.
-struct JacobianLine {
-  Eigen::Matrix<double, 5, 1> at_centre, per_metre;
-
-  /// Σ x j, of (Σ x, Σ x t).
-  Eigen::Matrix<double, 5, 1> sum(const Eigen::Vector2d& x) const {
-    return x[0] * at_centre + x[1] * per_metre;
-  }
-  /// Σ x j jᵀ, of (Σ x, Σ x t, Σ x t²).
-  Eigen::Matrix<double, 5, 5> squares(const Eigen::Vector3d& x) const {
-    const Eigen::Matrix<double, 5, 5> mixed = at_centre * per_metre.transpose();
-    return x[0] * at_centre * at_centre.transpose() + x[1] * (mixed + mixed.transpose()) +
-           x[2] * per_metre * per_metre.transpose();
-  }
-};
-
-/// With t = left(n) a turn of the stand about `base` moves a point q along n by n · left(q − base) =
-/// −t · (q − base).
-JacobianLine jacobian_of(const Rectangle& r, int wall, const Point2& base) {
-  const Point2 n = r.normal(wall), t = left_of(n);
-  JacobianLine line;
-  line.at_centre << 0.0, -1.0, n, t.dot(base - Point2(r.x_m, r.y_m));
-  line.per_metre << 1.0, 0.0, 0.0, 0.0, -1.0;
-  return line;
-}
-
-void add_stand(System& s, const StandPoints& stand, const Pose2& correction, std::size_t index,
-               const Rectangle& r, const RectangleFitConfig& config) {
-  const Point2 base = correction * stand.T_zone_base.translation();
-  const auto sums = wall_sums(stand, correction, r, config);
-  const int entries = index > 0 ? 5 : 2, first = index > 0 ? first_unknown(index) : 0;
-  for (int wall = 0; wall < 4; ++wall) {
-    const WallSums& sum = sums[static_cast<std::size_t>(wall)];
-    const std::array<int, 5> at{0, 1 + wall, first, first + 1, first + 2};
-    const JacobianLine j = jacobian_of(r, wall, base);
-    const auto normal = j.squares(sum.weights), noise = j.squares(sum.noises);
-    const auto residuals = j.sum(sum.residuals), beams = j.sum(sum.beams);
-    for (int a = 0; a < entries; ++a) {
-      const int row = at[static_cast<std::size_t>(a)];
-      for (int b = 0; b < entries; ++b) {
-        s.normal(row, at[static_cast<std::size_t>(b)]) += normal(a, b);
-        s.noise(row, at[static_cast<std::size_t>(b)]) += noise(a, b);
-      }
-      s.rhs[row] -= residuals[a];
-      s.per_bias[row] -= beams[a];
-    }
-    s.support[static_cast<std::size_t>(wall)] += sum.support;
-    s.weight += sum.weights[0];
-    s.squares += sum.squares;
-  }
-}
-
-/// What odometry says: from stand to stand the corrections change little.
-void add_motion(System& s, std::span<const StandPoints> stands, const std::vector<Pose2>& corrections,
-                const JointFitConfig& config) {
-  const double shift_weight = s.variance / (config.motion_sigma_m * config.motion_sigma_m);
-  const double turn_weight = s.variance / std::pow(radians(config.motion_sigma_deg), 2);
-  for (std::size_t k = 1; k < stands.size(); ++k) {
-    const Point2 here = stands[k].T_zone_base.translation();
-    const Point2 way = here - stands[k - 1].T_zone_base.translation();
-    const Pose2 &before = corrections[k - 1], &now = corrections[k];
-    Eigen::Matrix<double, 3, 6> j;  // of (stand k − 1, stand k)
-    j << -1, 0, way.y(), 1, 0, 0,   //
-        0, -1, -way.x(), 0, 1, 0,   //
-        0, 0, -1, 0, 0, 1;
-    Eigen::Vector3d error;
-    error << shift_at(now, here) - shift_at(before, here), wrap_to_pi(now.yaw_rad - before.yaw_rad);
-    const Eigen::Vector3d w(shift_weight, shift_weight, turn_weight);
-    const Eigen::Matrix<double, 6, 6> normal = j.transpose() * w.asDiagonal() * j;
-    const Eigen::Matrix<double, 6, 1> rhs = -j.transpose() * w.asDiagonal() * error;
-    const int at = first_unknown(k);
-    s.normal.block<3, 3>(at, at) += normal.bottomRightCorner<3, 3>();
-    s.rhs.segment<3>(at) += rhs.tail<3>();
-    if (k == 1) continue;  // the first stand is where it is
-    s.normal.block<6, 6>(at - 3, at - 3).topLeftCorner<3, 6>() += normal.topRows<3>();
-    s.normal.block<3, 3>(at, at - 3) += normal.bottomLeftCorner<3, 3>();
-    s.rhs.segment<3>(at - 3) += rhs.head<3>();
-  }
 }
 
 /// The points near the walls, with what a laser adds that measures `bias_m` too much taken off again.
@@ -207,9 +69,9 @@ struct JointFitter::Problem {
   Rectangle rectangle;
   std::vector<Pose2> corrections;
 
-  System system(std::span<const StandPoints> stands, const JointFitConfig& config,
-                const RectangleFitConfig& fit) const {
-    System s(5 + 3 * (static_cast<int>(stands.size()) - 1));
+  JointSystem system(std::span<const StandPoints> stands, const JointFitConfig& config,
+                     const RectangleFitConfig& fit) const {
+    JointSystem s(5 + 3 * (static_cast<int>(stands.size()) - 1));
     for (std::size_t k = 0; k < stands.size(); ++k)
       add_stand(s, stands[k], corrections[k], k, rectangle, fit);
     // The points are means of returns: what they scatter by is the least that a single one may.
@@ -229,7 +91,7 @@ struct JointFitter::Problem {
   void solve(std::span<const StandPoints> stands, const JointFitConfig& config, const RectangleFitConfig& fit,
              int iterations) {
     for (int i = 0; i < iterations; ++i) {
-      const System s = system(stands, config, fit);
+      const JointSystem s = system(stands, config, fit);
       const Vector x = s.normal.ldlt().solve(s.rhs);
       step(stands, x);
       if (x.norm() < kSettled) break;
@@ -273,15 +135,19 @@ std::optional<JointFit> JointFitter::fit(std::span<const StandPoints> stands, co
   if (!first && stands.size() == 1) return std::nullopt;
   align(stands, problem);
   problem.solve(stands, config_, fit_config_, kJointIterations);
-  const System s = problem.system(stands, config_, fit_config_);
+  const JointSystem s = problem.system(stands, config_, fit_config_);
   if (!(s.weight > 0.0)) return std::nullopt;
 
   JointFit result{{.rectangle = problem.rectangle, .support = s.support}, problem.corrections};
   result.room.rms_m = std::sqrt(s.squares / s.weight);
   const auto solver = s.normal.ldlt();
   const Matrix inverse = solver.solve(Matrix::Identity(s.normal.rows(), s.normal.rows()));
-  const WallStep per_bias = solver.solve(s.per_bias).head<5>();
-  WallMatrix steps = s.variance * (inverse * s.noise * inverse).topLeftCorner<5, 5>();
+  const Vector step_per_bias = solver.solve(s.per_bias);
+  const Matrix noise =
+      s.variance * s.noise +
+      unevenness({stands, problem.corrections, problem.rectangle, s.variance, step_per_bias}, fit_config_);
+  const WallStep per_bias = step_per_bias.head<5>();
+  WallMatrix steps = (inverse * noise * inverse).topLeftCorner<5, 5>();
   for (int wall = 0; wall < 4; ++wall) {
     const bool is_seen = s.support[static_cast<std::size_t>(wall)] >= fit_config_.min_wall_weight;
     steps(1 + wall, 1 + wall) += is_seen ? config_.wall_sigma_m * config_.wall_sigma_m : 1.0;

@@ -5,25 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "components/roomDetector/core/joint_equations.hpp"
 #include "components/roomDetector/core/rectangle_fit.hpp"
-#include "components/roomDetector/core/wall_equations.hpp"
 
 namespace enfilade::room_detector {
-
-struct JointFitConfig {
-  double motion_sigma_m = 0.02;       ///< what odometry errs by from one stand to the next …
-  double motion_sigma_deg = 1.0;      ///< … in the mean
-  double reach_m = 0.25;              ///< a stand's walls may lie so far from the room's by that
-  double range_sigma_m = 0.01;        ///< of one return of the laser
-  double range_bias_sigma_m = 0.017;  ///< of the laser; ±30 mm evenly spread: 30 mm / √3
-  double wall_sigma_m = 0.0001;       ///< how flat a wall is, and how well a plane describes it
-};
-
-/// What was measured from one stand, where odometry had it.
-struct StandPoints {
-  Pose2 T_zone_base;
-  std::vector<WallPoint> points;
-};
 
 struct JointFit {
   RectangleFit room;

@@ -78,6 +78,26 @@ TEST(JointFit, CovarianceIsThatOfTheErrorsOverManyMeasurements) {
   EXPECT_NEAR(nees, 5.0, 3.0 * std::sqrt(10.0 / kMeasurements)) << "χ² of five degrees of freedom";
 }
 
+TEST(JointFit, IsLessSureOfAWallOfWhichAStretchStandsBack) {
+  const Pose2 stand{0.0, 0.1, 0.5};
+  StandPoints seen = seen_from(stand, stand, 0.0, 5);
+  const JointFitConfig joint{.range_bias_sigma_m = 0.0};
+  const auto flat = JointFitter(joint, {}).fit(std::vector{seen}, kJointRoom, 0.075);
+  for (WallPoint& p : seen.points) {
+    const Point2 q = p.position - kJointRoom.wall(0).midpoint();
+    const double along_m = q.dot(kJointRoom.wall(0).direction());
+    if (std::abs(q.dot(kJointRoom.normal(0))) < 0.1 && along_m > 0.2 && along_m < 0.9)
+      p.position += 0.012 * kJointRoom.normal(0);
+  }
+  const auto uneven = JointFitter(joint, {}).fit(std::vector{seen}, kJointRoom, 0.075);
+  ASSERT_TRUE(flat && uneven);
+  const double error_m = std::abs(uneven->room.rectangle.width_m - kJointRoom.width_m);
+  EXPECT_GT(error_m, 3.0 * std::sqrt(flat->room.covariance(3, 3))) << "it pulls the wall";
+  EXPECT_LT(error_m, 3.0 * std::sqrt(uneven->room.covariance(3, 3))) << "and that is stated";
+  EXPECT_LT(uneven->room.covariance(4, 4), 2.0 * flat->room.covariance(4, 4))
+      << "the other walls are as before";
+}
+
 TEST(JointFit, KnowsNothingOfAWallThatWasNotSeen) {
   const Pose2 stand{0.0, 0.1, 0.5};
   StandPoints seen = seen_from(stand, stand, 0.0, 4);
