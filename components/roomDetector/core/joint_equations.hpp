@@ -18,7 +18,7 @@ struct JointFitConfig {
   double reach_m = 0.25;              ///< a stand's walls may lie so far from the room's by that
   double range_sigma_m = 0.01;        ///< of one return of the laser
   double range_bias_sigma_m = 0.017;  ///< of the laser; ±30 mm evenly spread: 30 mm / √3
-  double wall_sigma_m = 0.0001;       ///< how flat a wall is, and how well a plane describes it
+  double wall_sigma_m = 0.00007;      ///< how flat a wall is, and how well a plane describes it
 };
 
 /// Unknowns: δα, δo_0 … δo_3 of the rectangle, then (δx, δy, δψ) of each stand but the first, about itself.

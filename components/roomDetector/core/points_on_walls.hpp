@@ -24,7 +24,7 @@ struct PointOnWall {
   double along_m, residual_m;
   double weight, w;  ///< returns it stands for; that times Tukey's weight
   double beam;       ///< ∂ρ/∂range
-  double noise;      ///< w² σ² / weight, σ of one return along the wall's normal in units of that of the range
+  double noise;  ///< w² σ² / weight, σ of one return along the wall's normal in units of that of the range
 };
 
 template <class Visit>

@@ -18,18 +18,18 @@ struct StretchSum {
 
 /// What all stands saw of one stretch.
 struct Stretch {
-  int row = 0;         ///< of the unknown that says how far out its wall is
-  Eigen::VectorXd g;   ///< Σ w ρ J
+  int row = 0;              ///< of the unknown that says how far out its wall is
+  Eigen::VectorXd g;        ///< Σ w ρ J
   Eigen::VectorXd by_bias;  ///< what a range bias of 1 m adds to that once all is fitted anew
-  double noise = 0.0;  ///< variance of g[row] by the noise of returns
+  double noise = 0.0;       ///< variance of g[row] by the noise of returns
 
   Stretch(int wall, int unknowns)
       : row(1 + wall), g(Eigen::VectorXd::Zero(unknowns)), by_bias(Eigen::VectorXd::Zero(unknowns)) {}
 };
 
 /// The stretches of one wall; one by one for each stand.
-std::vector<StretchSum> sums_of(const StandPoints& stand, const Pose2& correction, const Rectangle& r, int wall,
-                                const RectangleFitConfig& config) {
+std::vector<StretchSum> sums_of(const StandPoints& stand, const Pose2& correction, const Rectangle& r,
+                                int wall, const RectangleFitConfig& config) {
   const double length_m = r.wall_length_m(wall);
   std::vector<StretchSum> sums(static_cast<std::size_t>(length_m / kStretch_m) + 1);
   visit_points(stand, correction, r, config, [&](const PointOnWall& point) {
