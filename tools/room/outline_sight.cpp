@@ -29,7 +29,6 @@ bool is_hidden(Seen seen) { return seen == Seen::kFurniture || seen == Seen::kNo
 /// Where one sight crosses the outline, in the frame of the rectangle.
 struct Crossing {
   Seen seen = Seen::kNothing;
-  std::size_t wall = 0;         // as Rectangle counts them
   double length_m = 0.0;        // of outline that this sight stands for
   Point2 end = Point2::Zero();  // of the sight
   double beyond_m = 0.0;        // by which the end lies outside
@@ -88,7 +87,6 @@ class Look {
     const int axis = until(0) < until(1) ? 0 : 1;
     const double distance_m = until(axis);
     Crossing c{.meets = sight.meets};
-    c.wall = static_cast<std::size_t>(axis + (direction[axis] > 0.0 ? 0 : 2));
     c.length_m = distance_m * step_rad / std::max(kGrazing, std::abs(direction[axis]));
     c.end = robot + sight.range_m * direction;
     c.beyond_m = (c.end.cwiseAbs() - half_).maxCoeff();

@@ -2,6 +2,8 @@
 #include "components/roomDetector/core/uneven_walls.hpp"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 
 namespace enfilade::room_detector {
 namespace {
@@ -27,14 +29,18 @@ struct Stretch {
       : row(1 + wall), g(Eigen::VectorXd::Zero(unknowns)), by_bias(Eigen::VectorXd::Zero(unknowns)) {}
 };
 
-/// The stretches of one wall; one by one for each stand.
-std::vector<StretchSum> sums_of(const StandPoints& stand, const Pose2& correction, const Rectangle& r,
-                                int wall, const RectangleFitConfig& config) {
-  const double length_m = r.wall_length_m(wall);
-  std::vector<StretchSum> sums(static_cast<std::size_t>(length_m / kStretch_m) + 1);
+using StretchSums = std::array<std::vector<StretchSum>, 4>;
+
+/// What one stand saw of the stretches of each wall.
+StretchSums sums_of(const StandPoints& stand, const Pose2& correction, const Rectangle& r,
+                    const RectangleFitConfig& config) {
+  StretchSums sums;
+  for (std::size_t wall = 0; wall < 4; ++wall)
+    sums[wall].resize(static_cast<std::size_t>(r.wall_length_m(static_cast<int>(wall)) / kStretch_m) + 1);
   visit_points(stand, correction, r, config, [&](const PointOnWall& point) {
-    if (point.wall != wall) return;
-    StretchSum& sum = sums[static_cast<std::size_t>((point.along_m + 0.5 * length_m) / kStretch_m)];
+    const double from_corner_m = point.along_m + 0.5 * r.wall_length_m(point.wall);
+    StretchSum& sum =
+        sums[static_cast<std::size_t>(point.wall)][static_cast<std::size_t>(from_corner_m / kStretch_m)];
     const Eigen::Vector3d powers(1.0, point.along_m, point.along_m * point.along_m);
     sum.residuals += point.w * point.residual_m * powers.head<2>();
     sum.beams += point.w * point.beam * powers.head<2>();
@@ -61,22 +67,25 @@ void add(Stretch& stretch, const StretchSum& sum, const JacobianLine& j, std::si
 }
 
 std::vector<Stretch> stretches_of(const FittedStands& fit, const RectangleFitConfig& config) {
-  std::vector<Stretch> stretches;
-  for (int wall = 0; wall < 4; ++wall) {
-    const std::size_t first = stretches.size();
-    for (std::size_t k = 0; k < fit.stands.size(); ++k) {
-      const auto sums = sums_of(fit.stands[k], fit.corrections[k], fit.rectangle, wall, config);
-      const Point2 base = fit.corrections[k] * fit.stands[k].T_zone_base.translation();
-      const JacobianLine j = jacobian_of(fit.rectangle, wall, base);
-      stretches.resize(first + sums.size(), Stretch(wall, first_unknown(fit.stands.size())));
-      for (std::size_t i = 0; i < sums.size(); ++i) {
-        add(stretches[first + i], sums[i], j, k, fit.step_per_bias);
-        stretches[first + i].noise += fit.variance * sums[i].noise;
+  const int unknowns = first_unknown(fit.stands.size());
+  std::array<std::vector<Stretch>, 4> by_wall;
+  for (std::size_t k = 0; k < fit.stands.size(); ++k) {
+    const StretchSums sums = sums_of(fit.stands[k], fit.corrections[k], fit.rectangle, config);
+    const Point2 base = fit.corrections[k] * fit.stands[k].T_zone_base.translation();
+    for (std::size_t wall = 0; wall < 4; ++wall) {
+      const JacobianLine j = jacobian_of(fit.rectangle, static_cast<int>(wall), base);
+      by_wall[wall].resize(sums[wall].size(), Stretch(static_cast<int>(wall), unknowns));
+      for (std::size_t i = 0; i < sums[wall].size(); ++i) {
+        add(by_wall[wall][i], sums[wall][i], j, k, fit.step_per_bias);
+        by_wall[wall][i].noise += fit.variance * sums[wall][i].noise;
       }
     }
   }
-  std::erase_if(stretches, [](const Stretch& s) { return !(s.noise > 0.0); });
-  return stretches;
+  std::vector<Stretch> seen;
+  for (const std::vector<Stretch>& wall : by_wall)
+    std::copy_if(wall.begin(), wall.end(), std::back_inserter(seen),
+                 [](const Stretch& s) { return s.noise > 0.0; });
+  return seen;
 }
 
 /// The range bias that explains the residuals best.
