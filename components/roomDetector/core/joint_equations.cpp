@@ -11,27 +11,11 @@ namespace {
 /// Shift of the stand itself under a correction.
 Point2 shift_at(const Pose2& correction, const Point2& stand) { return correction * stand - stand; }
 
-/// What the points of one stand on one wall add up to. Σ x stands for (Σ x, Σ x t, Σ x t²), t along the wall:
-/// all that is needed of them, as the row of a point's Jacobian is a line in t.
-struct WallSums {
-  Eigen::Vector3d weights = Eigen::Vector3d::Zero(), noises = weights;     ///< Σ w, Σ w² σ² / weight
-  Eigen::Vector2d residuals = Eigen::Vector2d::Zero(), beams = residuals;  ///< Σ w ρ, Σ w ∂ρ/∂range
-  double support = 0.0, squares = 0.0;                                     ///< Σ weight, Σ w ρ²
-};
-
 std::array<WallSums, 4> wall_sums(const StandPoints& stand, const Pose2& correction, const Rectangle& r,
                                   const RectangleFitConfig& config) {
   std::array<WallSums, 4> sums;
-  visit_points(stand, correction, r, config, [&](const PointOnWall& point) {
-    WallSums& sum = sums[static_cast<std::size_t>(point.wall)];
-    const Eigen::Vector3d powers(1.0, point.along_m, point.along_m * point.along_m);
-    sum.weights += point.w * powers;
-    sum.noises += point.noise * powers;
-    sum.residuals += point.w * point.residual_m * powers.head<2>();
-    sum.beams += point.w * point.beam * powers.head<2>();
-    sum.support += point.weight;
-    sum.squares += point.w * point.residual_m * point.residual_m;
-  });
+  visit_points(stand, correction, r, config,
+               [&](const PointOnWall& point) { sums[static_cast<std::size_t>(point.wall)].add(point); });
   return sums;
 }
 

@@ -43,6 +43,24 @@ void visit_points(const StandPoints& stand, const Pose2& correction, const Recta
   }
 }
 
+/// What points of one stand on one wall, or a stretch of it, add up to. Σ x stands for (Σ x, Σ x t, Σ x t²),
+/// t along the wall: all that is needed of them, as the row of a point's Jacobian is a line in t.
+struct WallSums {
+  Eigen::Vector3d weights = Eigen::Vector3d::Zero(), noises = weights;     ///< Σ w, Σ w² σ² / weight
+  Eigen::Vector2d residuals = Eigen::Vector2d::Zero(), beams = residuals;  ///< Σ w ρ, Σ w ∂ρ/∂range
+  double support = 0.0, squares = 0.0;                                     ///< Σ weight, Σ w ρ²
+
+  void add(const PointOnWall& point) {
+    const Eigen::Vector3d powers(1.0, point.along_m, point.along_m * point.along_m);
+    weights += point.w * powers;
+    noises += point.noise * powers;
+    residuals += point.w * point.residual_m * powers.head<2>();
+    beams += point.w * point.beam * powers.head<2>();
+    support += point.weight;
+    squares += point.w * point.residual_m * point.residual_m;
+  }
+};
+
 inline Point2 left_of(const Point2& v) { return {-v.y(), v.x()}; }
 
 /// The row of the Jacobian of a point `t` along a wall, over (δα, δo_wall, δx, δy, δψ), is at_centre + t ·

@@ -11,13 +11,6 @@ namespace {
 constexpr double kStretch_m = 0.5;  // about as long as what stands out of a wall or back
 constexpr double kTelling = 4.0;    // times the noise: a stretch whose residuals say that it does
 
-/// What the points of one stand on a stretch of a wall add up to, as in WallSums.
-struct StretchSum {
-  Eigen::Vector2d residuals = Eigen::Vector2d::Zero(), beams = residuals;
-  Eigen::Vector3d weights = Eigen::Vector3d::Zero();
-  double noise = 0.0;
-};
-
 /// What all stands saw of one stretch.
 struct Stretch {
   int row = 0;              ///< of the unknown that says how far out its wall is
@@ -29,7 +22,7 @@ struct Stretch {
       : row(1 + wall), g(Eigen::VectorXd::Zero(unknowns)), by_bias(Eigen::VectorXd::Zero(unknowns)) {}
 };
 
-using StretchSums = std::array<std::vector<StretchSum>, 4>;
+using StretchSums = std::array<std::vector<WallSums>, 4>;
 
 /// What one stand saw of the stretches of each wall.
 StretchSums sums_of(const StandPoints& stand, const Pose2& correction, const Rectangle& r,
@@ -39,19 +32,14 @@ StretchSums sums_of(const StandPoints& stand, const Pose2& correction, const Rec
     sums[wall].resize(static_cast<std::size_t>(r.wall_length_m(static_cast<int>(wall)) / kStretch_m) + 1);
   visit_points(stand, correction, r, config, [&](const PointOnWall& point) {
     const double from_corner_m = point.along_m + 0.5 * r.wall_length_m(point.wall);
-    StretchSum& sum =
-        sums[static_cast<std::size_t>(point.wall)][static_cast<std::size_t>(from_corner_m / kStretch_m)];
-    const Eigen::Vector3d powers(1.0, point.along_m, point.along_m * point.along_m);
-    sum.residuals += point.w * point.residual_m * powers.head<2>();
-    sum.beams += point.w * point.beam * powers.head<2>();
-    sum.weights += point.w * powers;
-    sum.noise += point.noise;
+    sums[static_cast<std::size_t>(point.wall)][static_cast<std::size_t>(from_corner_m / kStretch_m)].add(
+        point);
   });
   return sums;
 }
 
 /// Adds what stand `index` saw of a stretch.
-void add(Stretch& stretch, const StretchSum& sum, const JacobianLine& j, std::size_t index,
+void add(Stretch& stretch, const WallSums& sum, const JacobianLine& j, std::size_t index,
          const Eigen::VectorXd& step_per_bias) {
   const int first = first_unknown(index);
   Eigen::Matrix<double, 5, 1> step = Eigen::Matrix<double, 5, 1>::Zero();
@@ -77,7 +65,7 @@ std::vector<Stretch> stretches_of(const FittedStands& fit, const RectangleFitCon
       by_wall[wall].resize(sums[wall].size(), Stretch(static_cast<int>(wall), unknowns));
       for (std::size_t i = 0; i < sums[wall].size(); ++i) {
         add(by_wall[wall][i], sums[wall][i], j, k, fit.step_per_bias);
-        by_wall[wall][i].noise += fit.variance * sums[wall][i].noise;
+        by_wall[wall][i].noise += fit.variance * sums[wall][i].noises[0];
       }
     }
   }
