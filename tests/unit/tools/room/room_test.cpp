@@ -74,8 +74,8 @@ TEST(FindRoom, TakesTheCubicleAndNotBothThatFaceEachOther) {
       {{60, 116, 10, 46}, {64, 92, 46, 48}, {2, 198, 48, 72}, {64, 92, 72, 74}, {60, 116, 74, 110}});
   const FoundRoom room = find_room(survey, {}, Point2(-6.0, -2.6));
   ASSERT_TRUE(room.estimate.found);
-  EXPECT_NEAR(room.estimate.rectangle.height_m, 1.8, 0.2);
-  EXPECT_NEAR(room.estimate.rectangle.width_m, 2.8, 0.2);
+  EXPECT_NEAR(room.estimate.rectangle.height_m, 1.8, 0.16);
+  EXPECT_NEAR(room.estimate.rectangle.width_m, 2.8, 0.16);
   const auto& doors = room.estimate.doors;
   EXPECT_EQ(std::count_if(doors.begin(), doors.end(),
                           [](const DoorEstimate& d) { return d.state == DoorState::kOpen; }),
