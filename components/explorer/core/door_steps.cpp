@@ -73,8 +73,7 @@ std::optional<Point2> ExplorationMachine::place_to_give_way(const Observation& s
   });
   if (nearest == met.end() || *nearest == robot) return std::nullopt;
   const Point2 back = robot + config_.give_way_m * (robot - *nearest).normalized();
-  const FloorMap map = drive_.floor_map(seen, known);
-  return Reach(map, drive_.config().planner, robot).nearest(back, config_.give_way_m);
+  return drive_.ways(seen, known).usual().nearest(back, config_.give_way_m);
 }
 
 /// After a restart in the middle of a crossing the robot stands outside the room it is said to be in.
@@ -113,9 +112,10 @@ std::optional<PlacedDoor> ExplorationMachine::locate_door(const Observation& see
 void ExplorationMachine::begin_approach(const Observation& seen, Decision& decision) {
   const auto door = locate_door(seen);
   if (!door) return go_to(Step::kChooseDoor, ExplorationPhase::kApproaching, "choosing a door", seen);
-  const FloorMap map = drive_.floor_map(seen, floor_inside(seen));
-  const Reach reach(map, drive_.config().planner, seen.T_zone_base->translation());
-  const auto place = reach.nearest(door->pose_at(-config_.staging_m).translation(), config_.staging_search_m);
+  const Point2 before = door->pose_at(-config_.staging_m).translation();
+  Ways ways = drive_.ways(seen, floor_inside(seen));
+  auto place = ways.usual().nearest(before, config_.staging_search_m);
+  if (!place) place = ways.narrow().nearest(before, config_.staging_search_m);
   if (!place) return give_up_door("there is no way to it", seen, decision);
   const Point2 way = door->middle - *place;
   const Pose2 staging{place->x(), place->y(), std::atan2(way.y(), way.x())};

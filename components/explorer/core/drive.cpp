@@ -11,6 +11,9 @@ Drive::Drive(const DriveConfig& config) : config_(config), follower_(config.foll
   if (!(config.planner.soft_radius_m > config.planner.hard_radius_m)) {
     throw std::invalid_argument("Drive: soft_radius_m must be above hard_radius_m");
   }
+  if (config.planner.narrow_radius_m < config.guard.robot_radius_m + config.guard.side_margin_m) {
+    throw std::invalid_argument("Drive: narrow_radius_m must be at least robot_radius_m + side_margin_m");
+  }
 }
 
 FloorMap Drive::floor_map(const Observation& seen, const FloorHints& known) const {
@@ -18,6 +21,10 @@ FloorMap Drive::floor_map(const Observation& seen, const FloorHints& known) cons
   hints.obstacles.insert(hints.obstacles.end(), met_.begin(), met_.end());
   if (seen.T_zone_base) hints.trodden.push_back(seen.T_zone_base->translation());
   return FloorMap(*seen.grid, hints, config_.floor);
+}
+
+Ways Drive::ways(const Observation& seen, const FloorHints& known) const {
+  return Ways(floor_map(seen, known), config_.planner, seen.T_zone_base->translation());
 }
 
 void Drive::begin(const Pose2& goal, FloorHints known) {
@@ -32,12 +39,13 @@ void Drive::begin(const Pose2& goal, FloorHints known) {
 bool Drive::plan(const Observation& seen) {
   const Pose2& pose = *seen.T_zone_base;
   map_ = floor_map(seen, known_);
+  narrow_ = false;
   double length_m = (goal_.translation() - pose.translation()).norm();
   std::vector<Point2> points{pose.translation(), goal_.translation()};
   if (length_m < config_.follower.goal_tolerance_m) {
     points.clear();  // only the heading is left
   } else {
-    const auto path = Reach(*map_, config_.planner, pose.translation()).path_to(goal_.translation());
+    const auto path = find_path(seen);
     if (!path) return false;
     points = path->points;
     length_m = path->length_m;
@@ -45,6 +53,13 @@ bool Drive::plan(const Observation& seen) {
   follower_.follow(std::move(points), goal_.yaw_rad);
   deadline_ns_ = seen.now_ns + from_seconds(config_.spare_s + length_m / config_.slowest_m_s);
   return true;
+}
+
+std::optional<Path> Drive::find_path(const Observation& seen) {
+  Ways ways(*map_, config_.planner, seen.T_zone_base->translation());
+  if (auto path = ways.usual().path_to(goal_.translation())) return path;
+  narrow_ = true;
+  return ways.narrow().path_to(goal_.translation());
 }
 
 DriveStatus Drive::update(const Observation& seen, Decision& decision) {
@@ -76,7 +91,8 @@ DriveStatus Drive::wait_blocked(const Observation& seen, const std::vector<Point
 double Drive::speed_limit_m_s(const Point2& at) const {
   const double room_m = map_->to_obstacle_m(map_->cell_at(at)) - config_.near_clearance_m;
   const double share = std::clamp(room_m / (config_.open_clearance_m - config_.near_clearance_m), 0.0, 1.0);
-  return config_.near_speed_m_s + share * (config_.follower.linear_m_s - config_.near_speed_m_s);
+  const double near_m_s = narrow_ ? config_.narrow_speed_m_s : config_.near_speed_m_s;
+  return near_m_s + share * (config_.follower.linear_m_s - near_m_s);
 }
 
 }  // namespace enfilade::explorer

@@ -6,8 +6,8 @@
 
 #include "components/explorer/core/observation.hpp"
 #include "components/explorer/core/path_follower.hpp"
-#include "components/explorer/core/path_planner.hpp"
 #include "components/explorer/core/safety_guard.hpp"
+#include "components/explorer/core/ways.hpp"
 
 namespace enfilade::explorer {
 
@@ -18,6 +18,7 @@ struct DriveConfig {
   SafetyGuardConfig guard;
   double near_clearance_m = 0.28;  ///< so close to obstacles …
   double near_speed_m_s = 0.20;    ///< … it goes this slowly, and faster the more room there is
+  double narrow_speed_m_s = 0.10;  ///< instead, on a way that keeps only narrow_radius_m
   double open_clearance_m = 0.50;
   double blocked_s = 2.0;  ///< stands this long before something in the way before it looks for another way
   int max_replans = 3;
@@ -34,7 +35,8 @@ class Drive {
 
   /// The floor as it is known now, from the grid and otherwise.
   FloorMap floor_map(const Observation& seen, const FloorHints& known) const;
-  const DriveConfig& config() const { return config_; }
+  /// What can be reached from where the robot is.
+  Ways ways(const Observation& seen, const FloorHints& known) const;
 
   void begin(const Pose2& goal, FloorHints known);
   DriveStatus update(const Observation& seen, Decision& decision);
@@ -43,6 +45,7 @@ class Drive {
 
  private:
   bool plan(const Observation& seen);
+  std::optional<Path> find_path(const Observation& seen);
   DriveStatus wait_blocked(const Observation& seen, const std::vector<Point2>& in_the_way);
   double speed_limit_m_s(const Point2& at) const;
 
@@ -53,6 +56,7 @@ class Drive {
   FloorHints known_;
   std::vector<Point2> met_;
   std::optional<FloorMap> map_;
+  bool narrow_ = false;  ///< no way keeps the usual distance from obstacles
   std::optional<StampNs> blocked_since_ns_;
   StampNs deadline_ns_ = 0;
   int replans_ = 0;

@@ -114,6 +114,7 @@ class ExplorationMachine {
   std::optional<View> next_view(const Observation& seen) const;
   std::optional<View> view_into_gap(const Observation& seen,
                                     const std::function<bool(const DoorEstimate&)>& is_wanted) const;
+  const Reach& reach_to_look(Ways& ways) const;
   bool has_looked_from(const Pose2& pose) const;
   void begin_look(const View& view, Purpose purpose, const Observation& seen, Decision& decision);
   void begin_fix(const Observation& seen, Decision& decision);

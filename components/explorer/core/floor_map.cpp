@@ -6,6 +6,11 @@
 #include "components/explorer/core/distance_field.hpp"
 
 namespace enfilade::explorer {
+namespace {
+
+constexpr int kParts = 3;  // an odd number: one part has the centre of the whole cell
+
+}  // namespace
 
 FloorMap::FloorMap(const ProjectedGrid& grid, const FloorHints& hints, const FloorMapConfig& config)
     : origin_(grid.origin()),
@@ -21,6 +26,22 @@ FloorMap::FloorMap(const ProjectedGrid& grid, const FloorHints& hints, const Flo
   }
   to_obstacle_m_ = distance_to(Floor::kObstacle);
   to_unexplored_m_ = distance_to(Floor::kUnexplored);
+}
+
+FloorMap FloorMap::refined() const {
+  FloorMap fine = *this;
+  fine.origin_ = {kParts * origin_.x, kParts * origin_.y};
+  fine.width_ = kParts * width_;
+  fine.height_ = kParts * height_;
+  fine.resolution_m_ = resolution_m_ / kParts;
+  fine.cells_.resize(cells_.size() * kParts * kParts);
+  for (std::size_t i = 0; i < fine.cells_.size(); ++i) {
+    const int x = static_cast<int>(i) % fine.width_ / kParts, y = static_cast<int>(i) / fine.width_ / kParts;
+    fine.cells_[i] = cells_[index({origin_.x + x, origin_.y + y})];
+  }
+  fine.to_obstacle_m_ = fine.distance_to_uncut(Floor::kObstacle);
+  fine.to_unexplored_m_ = fine.distance_to_uncut(Floor::kUnexplored);
+  return fine;
 }
 
 CellXY FloorMap::cell_at(const Point2& p) const {
@@ -63,6 +84,21 @@ void FloorMap::fill_holes() {
 std::vector<float> FloorMap::distance_to(Floor what) const {
   std::vector<std::uint8_t> set(cells_.size());
   for (std::size_t i = 0; i < set.size(); ++i) set[i] = cells_[i] == what;
+  return distance_to(set);
+}
+
+/// Of refined cells only those count that have the centre of an uncut one.
+std::vector<float> FloorMap::distance_to_uncut(Floor what) const {
+  std::vector<std::uint8_t> set(cells_.size());
+  for (int y = kParts / 2; y < height_; y += kParts)
+    for (int x = kParts / 2; x < width_; x += kParts) {
+      const std::size_t i = index({origin_.x + x, origin_.y + y});
+      set[i] = cells_[i] == what;
+    }
+  return distance_to(set);
+}
+
+std::vector<float> FloorMap::distance_to(const std::vector<std::uint8_t>& set) const {
   std::vector<float> distance = distance_field(set, width_, height_);
   for (float& d : distance) d *= static_cast<float>(resolution_m_);
   return distance;

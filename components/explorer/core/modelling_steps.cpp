@@ -131,8 +131,8 @@ void ExplorationMachine::assess(const Observation& seen, Decision& decision) {
 }
 
 std::optional<View> ExplorationMachine::next_view(const Observation& seen) const {
-  const FloorMap map = drive_.floor_map(seen, floor_inside(seen));
-  const Reach reach(map, drive_.config().planner, seen.T_zone_base->translation());
+  Ways ways = drive_.ways(seen, floor_inside(seen));
+  const Reach& reach = reach_to_look(ways);
   ViewWish wish{.other_than_yaw_rad = {}, .had = swept_from_, .barred = barred_};
   if (swept_from_.size() == 1) wish.other_than_yaw_rad = swept_from_.front().yaw_rad;
   const bool found = is_current(seen.estimate, *tag_) && seen.estimate->found;
@@ -147,8 +147,8 @@ std::optional<View> ExplorationMachine::next_view(const Observation& seen) const
 std::optional<View> ExplorationMachine::view_into_gap(
     const Observation& seen, const std::function<bool(const DoorEstimate&)>& is_wanted) const {
   const RoomEstimate& estimate = *seen.estimate;
-  const FloorMap map = drive_.floor_map(seen, floor_inside(seen));
-  const Reach reach(map, drive_.config().planner, seen.T_zone_base->translation());
+  Ways ways = drive_.ways(seen, floor_inside(seen));
+  const Reach& reach = reach_to_look(ways);
   for (const DoorEstimate& door : estimate.doors) {
     if (!is_wanted(door)) continue;
     const PlacedDoor gap{.middle = segment_of(estimate.rectangle, door.gap).midpoint(),
@@ -160,6 +160,15 @@ std::optional<View> ExplorationMachine::view_into_gap(
     if (!has_looked_from(pose)) return View{.pose = pose};
   }
   return std::nullopt;
+}
+
+/// Where the robot looked from before is out of reach: what it could not see as it drove in has shut it in.
+const Reach& ExplorationMachine::reach_to_look(Ways& ways) const {
+  constexpr double kNearM = 0.3;
+  const bool shut_in = std::any_of(swept_from_.begin(), swept_from_.end(), [&](const Pose2& had) {
+    return !ways.usual().nearest(had.translation(), kNearM);
+  });
+  return shut_in ? ways.narrow() : ways.usual();
 }
 
 bool ExplorationMachine::has_looked_from(const Pose2& pose) const {

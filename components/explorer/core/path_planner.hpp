@@ -10,7 +10,8 @@ namespace enfilade::explorer {
 
 struct PathPlannerConfig {
   double hard_radius_m = 0.27;  ///< the robot's centre keeps at least this far from obstacles (cell centres)
-  double soft_radius_m = 0.50;  ///< closer than this costs more
+  double narrow_radius_m = 0.26;      ///< or this far, on a finer raster, where there is no other way
+  double soft_radius_m = 0.50;        ///< closer than this costs more
   double unexplored_radius_m = 0.22;  ///< and at least this far from unexplored floor
   double soft_cost = 4.0;             ///< a metre at the hard radius costs 1 + this many metres
   double escape_m =

@@ -71,6 +71,7 @@ void bind(ConfigBinder& c, ViewPlannerConfig& v) {
 
 void bind(ConfigBinder& c, PathPlannerConfig& p) {
   c.number("hard_radius_m", p.hard_radius_m, 0.05, 2.0);
+  c.number("narrow_radius_m", p.narrow_radius_m, 0.05, 2.0);
   c.number("soft_radius_m", p.soft_radius_m, 0.06, 3.0);
   c.number("unexplored_radius_m", p.unexplored_radius_m, 0.0, 2.0);
   c.number("soft_cost", p.soft_cost, 0.0, 100.0);
@@ -107,6 +108,7 @@ void bind(ConfigBinder& c, DriveConfig& d) {
   c.number("trodden_radius_m", d.floor.trodden_radius_m, 0.0, 2.0);
   c.number("near_clearance_m", d.near_clearance_m, 0.05, 2.0);
   c.number("near_speed_m_s", d.near_speed_m_s, 0.02, 2.0);
+  c.number("narrow_speed_m_s", d.narrow_speed_m_s, 0.02, 2.0);
   c.number("open_clearance_m", d.open_clearance_m, 0.1, 5.0);
   c.number("blocked_s", d.blocked_s, 0.1, 300.0);
   c.integer("max_replans", d.max_replans, 0, 100);

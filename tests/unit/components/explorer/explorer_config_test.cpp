@@ -23,6 +23,9 @@ TEST(ExplorerConfig, SenselessSettingsAreRefused) {
   config = {};
   config.drive.planner.soft_radius_m = 0.1;
   EXPECT_THROW(ExplorationMachine{config}, std::invalid_argument);
+  config = {};
+  config.drive.planner.narrow_radius_m = 0.23;  // there the guard would stop it
+  EXPECT_THROW(ExplorationMachine{config}, std::invalid_argument);
 }
 
 }  // namespace
