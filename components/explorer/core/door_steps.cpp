@@ -116,12 +116,22 @@ void ExplorationMachine::begin_approach(const Observation& seen, Decision& decis
   Ways ways = drive_.ways(seen, floor_inside(seen));
   auto place = ways.usual().nearest(before, config_.staging_search_m);
   if (!place) place = ways.narrow().nearest(before, config_.staging_search_m);
-  if (!place) return give_up_door("there is no way to it", seen, decision);
+  if (!place) return look_for_a_way(seen, decision);
   const Point2 way = door->middle - *place;
   const Pose2 staging{place->x(), place->y(), std::atan2(way.y(), way.x())};
   drive_.begin(staging, floor_inside(seen));
   go_to(Step::kApproach, ExplorationPhase::kApproaching, "going to door " + std::to_string(door_), seen);
   state_.goal = staging;
+}
+
+/// Of a room that it comes back to the robot knows walls and doors, but the floor only as far as it has seen
+/// it this time.
+void ExplorationMachine::look_for_a_way(const Observation& seen, Decision& decision) {
+  const bool may_look = static_cast<int>(state_.sweeps_in_zone) < config_.max_sweeps_per_zone;
+  const auto view = may_look ? next_view(seen) : std::nullopt;
+  if (!view) return give_up_door("there is no way to it", seen, decision);
+  decision.events.push_back("door " + std::to_string(door_) + ": no way to it has been seen yet");
+  begin_look(*view, Purpose::kLocalise, seen, decision);
 }
 
 void ExplorationMachine::approach(const Observation& seen, Decision& decision) {

@@ -128,6 +128,7 @@ class ExplorationMachine {
   bool is_beyond_a_door(const Observation& seen, Decision& decision);
   std::optional<PlacedDoor> locate_door(const Observation& seen) const;
   void begin_approach(const Observation& seen, Decision& decision);
+  void look_for_a_way(const Observation& seen, Decision& decision);
   void approach(const Observation& seen, Decision& decision);
   void judge(const Observation& seen, Decision& decision);
   void give_up_door(const std::string& why, const Observation& seen, Decision& decision);

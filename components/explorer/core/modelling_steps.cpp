@@ -51,6 +51,7 @@ void ExplorationMachine::after_sweep(const Observation& seen, Decision& decision
   decision.events.push_back("sweep " + std::to_string(state_.sweeps_in_zone) +
                             " done: " + (found ? summary(*seen.estimate) : "no rectangle fits yet"));
   if (found) note_thresholds(*seen.estimate);
+  if (found && purpose_ != Purpose::kDoor) note_what_was_seen(seen);
   if (purpose_ == Purpose::kLocalise && found && tell_of_new_door(seen, decision)) return;
   switch (purpose_) {
     case Purpose::kLocalise:
@@ -64,7 +65,6 @@ void ExplorationMachine::after_sweep(const Observation& seen, Decision& decision
   if (found) {
     const bool unchanged = stability_.update(*seen.estimate);
     verified_ = purpose_ == Purpose::kVerify && unchanged;
-    note_what_was_seen(seen);
   }
   go_to(Step::kAssess, state_.phase, "weighing what was seen", seen);
 }

@@ -7,9 +7,9 @@
 
 namespace enfilade::explorer {
 
-/// What can be reached at the usual distance from obstacles and, worked out when it is asked for, at the least.
-/// Both are as safe: where the robot is, is off by half a cell at most, and narrow ways are found on a raster
-/// three times as fine.
+/// What can be reached at the usual distance from obstacles and, worked out when it is asked for, at the
+/// least. Both are as safe: where the robot is, is off by half a cell at most, and narrow ways are found on a
+/// raster three times as fine.
 class Ways {
  public:
   Ways(FloorMap map, const PathPlannerConfig& config, const Point2& start);

@@ -53,6 +53,19 @@ TEST(ExplorationDoors, ComesBackToADoorThatWasBarredWhenNoOtherIsLeft) {
   EXPECT_TRUE(world.run_until(ExplorationPhase::kEntering, 200));
 }
 
+TEST(ExplorationDoors, LooksForAWayToADoorWhereTheFloorBetweenHasNotBeenSeen) {
+  MachineWorld world;
+  ASSERT_TRUE(world.run_until(ExplorationPhase::kFixing, 200));
+  world.grid.apply(0.05, SyntheticRoom().unexplored(1.8, 0, 3.9, 4).cells());
+  ASSERT_TRUE(world.run_until(ExplorationPhase::kLooking, 20));
+  ASSERT_TRUE(world.run_until(ExplorationPhase::kScanning, 60));
+  EXPECT_TRUE(world.said("no way to it has been seen yet"));
+  EXPECT_FALSE(world.said("there is no way to it"));
+  EXPECT_LT(std::abs(world.pose.yaw_rad), 0.5 * kPi) << "it looks at what it does not know";
+  world.grid.apply(0.05, SyntheticRoom().free(1.8, 0, 3.9, 4, 0.0).cells());
+  EXPECT_TRUE(world.run_until(ExplorationPhase::kEntering, 100));
+}
+
 TEST(ExplorationDoors, LooksBehindItselfWhereTheWayToADoorIsBarred) {
   MachineWorld world;
   ASSERT_TRUE(world.run_until(ExplorationPhase::kFixing, 200));
