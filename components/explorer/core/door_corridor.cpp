@@ -70,19 +70,29 @@ std::optional<DoorCorridor> best_line(const FloorMap& map, const Pose2& T_zone_d
   return best;
 }
 
-}  // namespace
-
-std::optional<DoorCorridor> find_corridor(const FloorMap& map, const PlacedDoor& door,
-                                          const DoorCorridorConfig& config) {
+/// The one that leads farthest, on both sides.
+std::optional<DoorCorridor> longest_line(const FloorMap& map, const Pose2& T_zone_door,
+                                         const Obstacles& obstacles, const DoorCorridorConfig& config) {
   constexpr double kStepM = 0.05;
-  const Pose2 T_zone_door = door.pose_at(0.0);
-  const Obstacles obstacles = gather(map, T_zone_door, config);
   for (double beyond_m = config.beyond_m; beyond_m >= config.beyond_least_m - 1e-6; beyond_m -= kStepM) {
     for (double inside_m = config.inside_m; inside_m >= config.inside_least_m - 1e-6; inside_m -= kStepM) {
       if (auto line = best_line(map, T_zone_door, obstacles, inside_m, beyond_m, config)) return line;
     }
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<DoorCorridor> find_corridor(const FloorMap& map, const PlacedDoor& door,
+                                          const DoorCorridorConfig& config) {
+  const Pose2 T_zone_door = door.pose_at(0.0);
+  const Obstacles obstacles = gather(map, T_zone_door, config);
+  if (auto line = longest_line(map, T_zone_door, obstacles, config)) return line;
+  if (config.narrow_clearance_m >= config.clearance_m) return std::nullopt;
+  DoorCorridorConfig narrow = config;
+  narrow.clearance_m = config.narrow_clearance_m;
+  return longest_line(map, T_zone_door, obstacles, narrow);
 }
 
 }  // namespace enfilade::explorer

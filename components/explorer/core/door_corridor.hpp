@@ -15,7 +15,8 @@ struct DoorCorridorConfig {
   double beyond_least_m = 0.60;
   double max_offset_m = 0.20;  ///< the line may lie so far beside the door's middle as the graph has it
   double clearance_m = 0.28;   ///< of the line to the centres of obstacle cells
-  double enough_m = 0.45;      ///< more than this is no better
+  double narrow_clearance_m = 0.265;   ///< where no line keeps that; as much: never
+  double enough_m = 0.45;              ///< more than this is no better
   double max_unexplored_share = 0.25;  ///< of the floor under the robot's way
 };
 

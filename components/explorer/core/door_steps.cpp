@@ -22,7 +22,10 @@ void ExplorationMachine::choose_door(const Observation& seen, Decision& decision
   if (!route) {
     state_.target_door.reset();
     if (come_back_to_doors(seen, decision)) return;
-    const std::string text = "no door is left: finished after " + counted(state_.sweeps_total, "sweep");
+    const auto blocked = std::count_if(seen.map->doors.begin(), seen.map->doors.end(),
+                                       [](const Door& door) { return door.kind == DoorKind::kBlocked; });
+    const std::string text = "no door is left: finished after " + counted(state_.sweeps_total, "sweep") +
+                             (blocked > 0 ? ", " + counted(blocked, "door") + " blocked" : "");
     decision.events.push_back(text);
     return go_to(Step::kFinished, ExplorationPhase::kFinished, text, seen);
   }
@@ -129,6 +132,7 @@ void ExplorationMachine::begin_approach(const Observation& seen, Decision& decis
 void ExplorationMachine::look_for_a_way(const Observation& seen, Decision& decision) {
   const bool may_look = static_cast<int>(state_.sweeps_in_zone) < config_.max_sweeps_per_zone;
   const auto view = may_look ? next_view(seen) : std::nullopt;
+  if (!view && !has_watched_) return begin_watch(Step::kChooseDoor, seen);
   if (!view) return give_up_door("there is no way to it", seen, decision);
   decision.events.push_back("door " + std::to_string(door_) + ": no way to it has been seen yet");
   begin_look(*view, Purpose::kLocalise, seen, decision);
@@ -136,7 +140,10 @@ void ExplorationMachine::look_for_a_way(const Observation& seen, Decision& decis
 
 void ExplorationMachine::approach(const Observation& seen, Decision& decision) {
   const DriveStatus status = drive_.update(seen, decision);
-  if (status == DriveStatus::kArrived) begin_sweep(Purpose::kDoor, seen);
+  if (status == DriveStatus::kArrived) {
+    has_watched_ = false;
+    begin_sweep(Purpose::kDoor, seen);
+  }
   if (status == DriveStatus::kFailed) give_up_door("the way to it is barred", seen, decision);
 }
 
@@ -146,7 +153,8 @@ void ExplorationMachine::judge(const Observation& seen, Decision& decision) {
   if (!door) return go_to(Step::kChooseDoor, ExplorationPhase::kApproaching, "choosing a door", seen);
   const bool current = seen.estimate && seen.estimate->tag == *tag_ && seen.estimate->found;
   const DoorEstimate* gap = current ? find_gap(*seen.estimate, *placed, geometry_) : nullptr;
-  const FloorMap map = drive_.floor_map(seen, {.trodden = trodden_, .obstacles = {}});
+  const FloorMap map =
+      drive_.floor_map(seen, {.trodden = trodden_, .obstacles = {}, .passing = passing_.trail(*seen.grid)});
   const DoorJudgement judgement = judge_door(*seen.grid, map, *placed, gap, judge_config_);
   const std::string name = "door " + std::to_string(door_);
   const bool to_be_resolved = door->kind == DoorKind::kUnresolved;
@@ -156,15 +164,36 @@ void ExplorationMachine::judge(const Observation& seen, Decision& decision) {
   }
   const auto corridor =
       judgement.corridor ? judgement.corridor : find_corridor(map, *placed, judge_config_.corridor);
+  if (!corridor && !has_watched_) return begin_watch(Step::kJudge, seen);
   if (!corridor) return give_up_door("no free way leads through it", seen, decision);
   corridor_ = *corridor;
   begin_crossing(seen, decision);
+}
+
+/// Somebody who walks to and fro leaves a trail in every sweep, as if something stood there.
+void ExplorationMachine::begin_watch(Step then, const Observation& seen) {
+  has_watched_ = true;
+  after_watch_ = then;
+  passing_.begin_watch();
+  go_to(Step::kWatch, ExplorationPhase::kApproaching,
+        "watching whether somebody walks before door " + std::to_string(door_), seen);
+}
+
+void ExplorationMachine::watch(const Observation& seen, Decision& decision) {
+  decision.drive({});
+  const bool level = seen.motor->phase == SweepPhase::kParked && seen.standing();
+  if (level && seen.points) passing_.watch(*seen.T_zone_base, seen.points->points, seen.grid->resolution_m());
+  if (!waited_s(config_.watch_s, seen)) return;
+  passing_.end_watch();
+  const bool judges = after_watch_ == Step::kJudge;
+  go_to(after_watch_, ExplorationPhase::kApproaching, judges ? "judging the door" : "choosing a door", seen);
 }
 
 /// Once is chance, perhaps a person in the way: it is tried again from another view, then other doors come
 /// first. A passage is never called blocked, as the robot has gone through it before.
 void ExplorationMachine::give_up_door(const std::string& why, const Observation& seen, Decision& decision) {
   const int attempts = ++attempts_[door_];
+  has_watched_ = false;
   decision.warnings.push_back("door " + std::to_string(door_) + ": " + why);
   if (attempts < config_.door_attempts) return look_behind(seen, decision);
   const Door* door = seen.map->find_door(door_);

@@ -84,6 +84,8 @@ void ExplorationMachine::step(const Observation& seen, Decision& decision) {
       return approach(seen, decision);
     case Step::kJudge:
       return judge(seen, decision);
+    case Step::kWatch:
+      return watch(seen, decision);
     case Step::kAlign:
       return align(seen, decision);
     case Step::kCross:
@@ -117,6 +119,7 @@ void ExplorationMachine::start_zone(const Observation& seen, Decision& decision)
   thresholds_.clear();
   swept_from_.clear();
   barred_.clear();
+  passing_.clear();
   verified_ = false;
   if (new_zone) attempts_.clear();
   if (seen.zone->room) {
@@ -146,7 +149,7 @@ void ExplorationMachine::tread(const Observation& seen) {
 
 /// The floor for ways inside the room: doors are gone through by crossing them, never on the way elsewhere.
 FloorHints ExplorationMachine::floor_inside(const Observation& seen) const {
-  FloorHints known{.trodden = trodden_, .obstacles = thresholds_};
+  FloorHints known{.trodden = trodden_, .obstacles = thresholds_, .passing = passing_.trail(*seen.grid)};
   const Room* room = current_room(seen);
   if (!room) return known;
   const RoomEstimate* estimate = seen.estimate && seen.estimate->tag == *tag_ ? seen.estimate : nullptr;

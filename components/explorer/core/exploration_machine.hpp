@@ -13,6 +13,7 @@
 #include "components/explorer/core/door_judge.hpp"
 #include "components/explorer/core/drive.hpp"
 #include "components/explorer/core/observation.hpp"
+#include "components/explorer/core/passing_things.hpp"
 #include "components/explorer/core/stability_test.hpp"
 #include "components/explorer/core/sweeper.hpp"
 #include "components/explorer/core/view_planner.hpp"
@@ -36,6 +37,7 @@ struct ExplorationConfig {
   int door_attempts = 2;          ///< failed approaches before a door is put off
   int door_rounds = 2;            ///< so often doors put off are come back to, then they are called blocked
   double give_way_m = 0.6;        ///< it steps so far back from what bars its way
+  double watch_s = 10.0;          ///< so long it watches what bars a door, for people who pass
   double outside_m =
       0.30;  ///< so far outside its room a restarted explorer takes it that it has crossed a door
 };
@@ -77,6 +79,7 @@ class ExplorationMachine {
     kChooseDoor,
     kApproach,
     kJudge,
+    kWatch,
     kAlign,
     kCross,
     kBackOff,
@@ -131,6 +134,8 @@ class ExplorationMachine {
   void look_for_a_way(const Observation& seen, Decision& decision);
   void approach(const Observation& seen, Decision& decision);
   void judge(const Observation& seen, Decision& decision);
+  void begin_watch(Step then, const Observation& seen);
+  void watch(const Observation& seen, Decision& decision);
   void give_up_door(const std::string& why, const Observation& seen, Decision& decision);
   void look_behind(const Observation& seen, Decision& decision);
   std::optional<Point2> place_to_give_way(const Observation& seen, const FloorHints& known) const;
@@ -166,11 +171,14 @@ class ExplorationMachine {
   std::vector<Pose2> swept_from_;
   std::vector<Point2> barred_;  ///< places to look from that could not be got to
   std::vector<Point2> trodden_;
+  PassingThings passing_;
   std::vector<Point2> thresholds_;  ///< points in the doorways seen
 
   // Of the door being dealt with.
   DoorId door_ = 0;
   bool request_sent_ = false;
+  bool has_watched_ = false;  ///< in this attempt
+  Step after_watch_ = Step::kJudge;
   DoorKind verdict_ = DoorKind::kUnresolved;
   DoorCorridor corridor_;
   std::map<DoorId, int> attempts_;

@@ -21,6 +21,9 @@ FloorMap::FloorMap(const ProjectedGrid& grid, const FloorHints& hints, const Flo
   for (std::size_t i = 0; i < cells_.size(); ++i) cells_[i] = grid.floor(cell(i));
   fill_holes();
   for (const Point2& p : hints.trodden) tread(p, config);
+  for (const Point2& p : hints.passing) {
+    if (contains(cell_at(p))) cells_[index(cell_at(p))] = Floor::kFree;
+  }
   for (const Point2& p : hints.obstacles) {
     if (contains(cell_at(p))) cells_[index(cell_at(p))] = Floor::kObstacle;
   }

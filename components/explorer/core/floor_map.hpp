@@ -12,6 +12,7 @@ namespace enfilade::explorer {
 struct FloorHints {
   std::vector<Point2> trodden;    ///< where its centre has been: the floor under it is free
   std::vector<Point2> obstacles;  ///< seen lately, and perhaps not in the grid
+  std::vector<Point2> passing;    ///< in the grid, and known not to stand there
 };
 
 struct FloorMapConfig {

@@ -25,6 +25,7 @@ void bind(ConfigBinder& c, ExplorationConfig& e) {
   c.integer("door_attempts", e.door_attempts, 1, 20);
   c.integer("door_rounds", e.door_rounds, 1, 10);
   c.number("give_way_m", e.give_way_m, 0.0, 5.0);
+  c.number("watch_s", e.watch_s, 0.0, 300.0);
   c.number("outside_m", e.outside_m, 0.1, 2.0);
 }
 
@@ -131,6 +132,7 @@ void bind(ConfigBinder& c, DoorCorridorConfig& d) {
   c.number("beyond_least_m", d.beyond_least_m, 0.3, 3.0);
   c.number("max_offset_m", d.max_offset_m, 0.0, 1.0);
   c.number("clearance_m", d.clearance_m, 0.1, 1.0);
+  c.number("narrow_clearance_m", d.narrow_clearance_m, 0.1, 1.0);
   c.number("enough_m", d.enough_m, 0.1, 2.0);
   c.number("max_unexplored_share", d.max_unexplored_share, 0.0, 1.0);
 }

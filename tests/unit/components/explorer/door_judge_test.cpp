@@ -44,7 +44,7 @@ TEST(DoorJudge, ADoorBehindWhichNothingWasSeenIsNoExit) {
 }
 
 TEST(DoorJudge, WhatIsTooNarrowOrObstructedIsBlocked) {
-  auto narrow = room_with_door(0.22);
+  auto narrow = room_with_door(0.25);
   EXPECT_EQ(judge(add_room_behind(narrow).grid(), kDoor).verdict, DoorVerdict::kBlocked);
   auto box = room_with_door();
   add_room_behind(box).solid(4.3, 1.8, 4.6, 2.2, 0.0, 0.4);
@@ -57,6 +57,15 @@ TEST(DoorJudge, TheWayLiesAmidTheJambsAsTheyAreSeen) {
   const auto judgement = judge(add_room_behind(room).grid(), beside);
   ASSERT_TRUE(judgement.corridor);
   EXPECT_NEAR(judgement.corridor->to.y_m, 2.0, 0.03);
+}
+
+TEST(DoorJudge, WhereThingsLeaveHalfAMetreTheWayLeadsAmidThem) {
+  auto room = room_with_door();
+  add_room_behind(room).solid(3.8, 1.0, 3.9, 1.55, 0.0, 0.5).solid(3.8, 2.05, 3.9, 2.5, 0.0, 0.5);
+  const auto judgement = judge(room.grid(), kDoor);
+  ASSERT_EQ(judgement.verdict, DoorVerdict::kWay);
+  EXPECT_GT(judgement.corridor->clearance_m, 0.26);
+  EXPECT_NEAR(judgement.corridor->to.y_m, 1.8, 0.01);
 }
 
 TEST(DoorJudge, TheNarrowestDoorAskedForIsAWay) {

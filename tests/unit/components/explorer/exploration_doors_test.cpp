@@ -38,6 +38,29 @@ TEST(ExplorationDoors, MarksADoorThatIsNoWayThroughAsBlocked) {
   ASSERT_TRUE(world.run_until(ExplorationPhase::kFinished, 400));
   EXPECT_EQ(world.map.doors[0].kind, DoorKind::kBlocked);
   EXPECT_TRUE(world.said("trying again what could not be reached, 1 unresolved door"));
+  EXPECT_TRUE(world.said(", 1 door blocked"));
+}
+
+/// Somebody walks to and fro across the line x = `x_m`, 0.8 m a second, 6 s each way.
+void show_walker(MachineWorld& world, double x_m) {
+  const double phase_s = std::fmod(world.now_s, 12.0);
+  const double y_m = -0.4 + 0.8 * (phase_s < 6.0 ? phase_s : 12.0 - phase_s);
+  world.points.points.clear();
+  for (double side_m = -0.2; side_m <= 0.2; side_m += 0.005) {
+    const Point2 p = world.pose.inverse() * Point2(x_m - std::sqrt(0.05 - side_m * side_m), y_m + side_m);
+    world.points.points.push_back({static_cast<float>(p.x()), static_cast<float>(p.y()), 0.6F});
+  }
+}
+
+TEST(ExplorationDoors, GoesThroughADoorBehindWhichSomebodyPacesWhoseTrailIsInEverySweep) {
+  MachineWorld world;
+  world.grid.apply(0.05, SyntheticRoom().solid(4.35, 0.0, 4.5, 4.0, 0.0, 0.5).cells());
+  for (int i = 0; i < 8000 && world.machine.state().phase != ExplorationPhase::kEntering; ++i) {
+    show_walker(world, 4.6);
+    world.tick();
+  }
+  EXPECT_EQ(world.machine.state().phase, ExplorationPhase::kEntering);
+  EXPECT_EQ(world.map.doors[0].kind, DoorKind::kUnresolved);
 }
 
 TEST(ExplorationDoors, ComesBackToADoorThatWasBarredWhenNoOtherIsLeft) {
