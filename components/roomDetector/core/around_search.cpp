@@ -2,33 +2,38 @@
 #include "components/roomDetector/core/around_search.hpp"
 
 #include <algorithm>
-#include <queue>
 #include <span>
 
 namespace enfilade::room_detector {
 namespace {
 
-constexpr int kFewVotes = 120;  // that spelling planes out is no more work than bounding them
+constexpr int kFewVotes = 120;   // that spelling planes out is no more work than bounding them
+constexpr int kAlone = 400;      // expansions after which planes step beside each other
+constexpr int kAbreast = 8;      // planes at a time; more know too little of each other
+constexpr int kAbreastDear = 2;  // of these, planes past their first bounds: their steps take longer
 
+/// Of lines next to each other: their most votes, and the most less a toll for each bin away from the robot.
 struct LineSums {
-  int bound = 0;  ///< of two parallel walls
-  int most = 0;   ///< of any line
+  int most = 0;
+  int bound = kNever;
 };
+
+/// The lines `from` to `to` of `sums`; line i costs toll · i, which `toll` < 0 turns round.
+LineSums best_line(std::span<const int> sums, int from, int to, int toll) {
+  LineSums found;
+  for (int i = from; i < to; ++i) {
+    const int sum = sums[static_cast<std::size_t>(i)], value = sum - toll * i;
+    found.most = sum > found.most ? sum : found.most;
+    found.bound = value > found.bound ? value : found.bound;
+  }
+  return found;
+}
 
 /// The best line on each side of the robot, by their sums alone. Each bin away costs two walls a toll.
 LineSums best_lines(std::span<const int> sums, int robot, int before, int behind, int toll) {
-  const auto best = [&](int count, int step, int& most) {
-    int value = kNever;
-    for (int away = 1; away <= count; ++away) {
-      const int sum = sums[static_cast<std::size_t>(robot + step * away)];
-      most = std::max(most, sum);
-      value = std::max(value, sum - 2 * toll * away);
-    }
-    return value;
-  };
-  LineSums found;
-  found.bound = best(before, -1, found.most) + best(behind, 1, found.most);
-  return found;
+  const LineSums one = best_line(sums, robot - before, robot, -2 * toll),
+                 other = best_line(sums, robot + 1, robot + 1 + behind, 2 * toll);
+  return {std::max(one.most, other.most), one.bound + other.bound};  // the robot's own bin cancels out
 }
 
 }  // namespace
@@ -37,135 +42,99 @@ void AroundSearch::search(const HoughSpace& space, const Point2& robot, const Wi
                           Incumbent& best) {
   begin(space, robot, sides);
   const auto all = bound_by_sums();
-  std::priority_queue<Plane> planes(all.begin(), all.end());
-  while (!planes.empty()) {
-    const Plane plane = planes.top();
-    planes.pop();
-    if (plane.bound < best.score) return;
-    if (!best.may_lose_to(plane.bound, {plane.angle, 0, 0, 0, 0})) continue;
+  Planes planes(all.begin(), all.end());
+  const int alone_until = best.expansions + kAlone;
+  while (choose_turns(planes, best.expansions < alone_until ? 1 : kAbreast, best)) {
     if (!best.has_budget()) {
-      best.gap_bound = std::max(best.gap_bound, plane.bound);
+      best.gap_bound = std::max(best.gap_bound, turns_.front().plane.bound);
       return;
     }
-    if (const auto next = advance(plane, best)) planes.push(*next);
+    take_turns(best);
+    for (const PlaneTurn& turn : turns_) {
+      if (turn.next && best.may_lose_to(turn.next->bound, {turn.plane.angle, 0, 0, 0, 0}))
+        planes.push(*turn.next);
+    }
   }
 }
 
 void AroundSearch::begin(const HoughSpace& space, const Point2& robot, const WindowLimits& sides) {
-  space_ = &space;
-  robot_ = robot;
-  sides_ = sides;
-  farthest_ = sides.max_gap - 1;
+  question_.space = &space;
+  question_.robot = robot;
+  question_.sides = sides;
+  question_.near_bins = config_.near_bins;
+  question_.farthest_bins = sides.max_gap - 1;
   highest_ = kNever;
-  laid_out_ = {};
   choices_.resize(static_cast<std::size_t>(space.lattice().angles()));
+  for (PlaneSteps& worker : workers_) worker.begin(question_);
 }
 
-std::vector<AroundSearch::Plane> AroundSearch::bound_by_sums() {
-  std::vector<Plane> planes;
-  const int toll = space_->penalties().per_bin;
+std::vector<PlaneState> AroundSearch::bound_by_sums() {
+  const HoughSpace& space = *question_.space;
+  const int toll = space.penalties().per_bin;
+  std::vector<PlaneState> planes;
   int most = 0;
-  for (int a = 0; a < space_->lattice().angles(); ++a) {
-    const Reaches r = reaches(a);
+  for (int a = 0; a < space.lattice().angles(); ++a) {
+    const Reaches r = question_.reaches(a);
     if (*std::min_element(r.begin(), r.end()) <= 0) continue;
-    const auto robot = robot_bins(a);
-    const LineSums d = best_lines(space_->sums_by_d(a), robot.d, r[kD12], r[kD34], toll);
-    const LineSums p = best_lines(space_->sums_by_p(a), robot.p, r[kD41], r[kD23], toll);
+    const auto robot = question_.robot_bins(a);
+    const LineSums d = best_lines(space.sums_by_d(a), robot.d, r[kD12], r[kD34], toll);
+    const LineSums p = best_lines(space.sums_by_p(a), robot.p, r[kD41], r[kD23], toll);
     planes.push_back({d.bound + p.bound, a, d.bound + p.bound});
     most = std::max({most, d.most, p.most});
   }
-  votes_.gather(*space_, robot_, farthest_, most);
-  // Where all votes and charges lie nearer, a wall one bin farther in costs less and holds no less.
-  const double charges_bins = space_->free_map().farthest_m(robot_) / space_->lattice().step_m();
-  const int needed = 2 + std::max(votes_.farthest_bins(), static_cast<int>(charges_bins));
-  if (toll > 0) farthest_ = std::min(farthest_, std::max(sides_.min_gap, needed));
-  only_votes_count_ = toll == 0 && !space_->free_map().charges() && !votes_.speak_against();
-  are_few_ = only_votes_count_ && votes_.size() < kFewVotes;
+  look_at_votes(most);
   return planes;
 }
 
-/// A plane that promises more than all before it is searched at once: the better the rectangles that are
-/// known, the less there is to look into elsewhere.
-std::optional<AroundSearch::Plane> AroundSearch::look_first(const Plane& plane, Incumbent& best) {
-  const int highest = highest_;
-  auto next = bound_by_blocks(plane, best);
-  while (next && highest_ > highest && best.has_budget()) next = advance(*next, best);
-  return next;
+void AroundSearch::look_at_votes(int most_of_line) {
+  AroundQuestion& q = question_;
+  const HoughSpace& space = *q.space;
+  q.votes.gather(space, q.robot, q.farthest_bins, most_of_line);
+  // Where all votes and charges lie nearer, a wall one bin farther in costs less and holds no less.
+  const double charges_bins = space.free_map().farthest_m(q.robot) / space.lattice().step_m();
+  const int needed = 2 + std::max(q.votes.farthest_bins(), static_cast<int>(charges_bins));
+  const bool has_toll = space.penalties().per_bin > 0;
+  if (has_toll) q.farthest_bins = std::min(q.farthest_bins, std::max(q.sides.min_gap, needed));
+  q.only_votes_count = !has_toll && !space.free_map().charges() && !q.votes.speak_against();
+  q.are_few = q.only_votes_count && q.votes.size() < kFewVotes;
 }
 
-/// The plane with a better bound, if it may still hold the best rectangle.
-std::optional<AroundSearch::Plane> AroundSearch::advance(const Plane& plane, Incumbent& best) {
-  std::optional<Plane> next;
-  if (plane.known == Plane::kSums)
-    next = look_first(plane, best);
-  else if (plane.known == Plane::kBlocks || (plane.known == Plane::kDetails && plane.score < best.score))
-    next = bound_by_details(plane, best);
-  else
-    spell_out(plane.angle, choices_[static_cast<std::size_t>(plane.angle)], best);
-  if (next && !best.may_lose_to(next->bound, {plane.angle, 0, 0, 0, 0})) return std::nullopt;
-  return next;
-}
-
-std::optional<AroundSearch::Plane> AroundSearch::bound_by_blocks(const Plane& plane, Incumbent& best) {
-  const Reaches r = reaches(plane.angle);
-  CornerChoice& choice = choices_[static_cast<std::size_t>(plane.angle)];
-  if (!votes_.fit_strips() || are_few_) {
-    choice = CornerBounds::everything(r, config_.near_bins);
-    return Plane{plane.bound, plane.angle, plane.walls, Plane::kUnbounded, best.score};
+/// The planes with the best bounds, as long as they may hold the best rectangle. Whether there are any.
+bool AroundSearch::choose_turns(Planes& planes, int most, const Incumbent& best) {
+  turns_.clear();
+  int dear = 0;
+  while (!planes.empty() && std::ssize(turns_) < most && planes.top().bound >= best.score) {
+    const PlaneState& plane = planes.top();
+    if (best.may_lose_to(plane.bound, {plane.angle, 0, 0, 0, 0})) {
+      if (plane.known != PlaneState::kSums && dear++ == kAbreastDear) break;
+      turns_.push_back({plane, turns_.empty(), highest_, best, {}});
+    }
+    planes.pop();
   }
-  if (r != laid_out_) blocks_.lay_out(*space_, votes_, CornerBounds::everything(r, config_.near_bins));
-  laid_out_ = r;
-  blocks_.build(*space_, plane.angle, robot_bins(plane.angle), best.score, plane.walls, limits(plane.angle));
-  best.expansions += blocks_.work();
-  if (!best.may_lose_to(blocks_.bound(), {plane.angle, 0, 0, 0, 0})) return std::nullopt;
-  if (blocks_.bound() > highest_) {
-    highest_ = blocks_.bound();
-    spell_out(plane.angle, blocks_.best(), best);
-    blocks_.raise(best.score, limits(plane.angle));
-  }
-  choice = blocks_.choice();
-  const auto known = blocks_.has_far() ? Plane::kBlocks : Plane::kDetails;
-  return Plane{blocks_.bound(), plane.angle, plane.walls, known, best.score};
+  return !turns_.empty();
 }
 
-std::optional<AroundSearch::Plane> AroundSearch::bound_by_details(const Plane& plane, Incumbent& best) {
-  CornerChoice& choice = choices_[static_cast<std::size_t>(plane.angle)];
-  details_.lay_out(*space_, votes_, choice.cut(CornerBounds::kBlock));
-  details_.build(*space_, plane.angle, robot_bins(plane.angle), best.score, plane.walls, limits(plane.angle));
-  best.expansions += details_.work();
-  choice = details_.choice();
-  return Plane{details_.bound(), plane.angle, plane.walls, Plane::kDetails, best.score};
-}
-
-void AroundSearch::spell_out(int angle, const CornerChoice& choice, Incumbent& best) {
-  plane_.build(*space_, votes_, angle, robot_bins(angle), lines_of(angle, choice));
-  best.expansions += plane_.work();
-  ++best.planes_opened;
-  plane_.search(limits(angle), best);
-}
-
-CornerChoice AroundSearch::lines_of(int angle, const CornerChoice& choice) {
-  if (!only_votes_count_) return choice.cut(CornerBounds::kBlock);
-  telling_.find(votes_, space_->binning(angle), robot_bins(angle), reaches(angle), sides_);
-  return choice.cut(CornerBounds::kBlock, [&](int side, int away) { return telling_.hold(side, away); });
-}
-
-PlaneLimits AroundSearch::limits(int angle) const {
-  const auto around = [&](int robot) {
-    WindowLimits limits = sides_;
-    limits.last_first = robot - 1;
-    limits.first_second = robot + 1;
-    return limits;
+void AroundSearch::take_turns(Incumbent& best) {
+  const auto take = [this](int i, int worker) {
+    PlaneTurn& turn = turns_[static_cast<std::size_t>(i)];
+    workers_[static_cast<std::size_t>(worker)].advance(turn,
+                                                       choices_[static_cast<std::size_t>(turn.plane.angle)]);
   };
-  const auto robot = robot_bins(angle);
-  return {around(robot.d), around(robot.p)};
-}
-
-Reaches AroundSearch::reaches(int angle) const {
-  const auto robot = robot_bins(angle);
-  const int last = space_->lattice().bins() - 1;
-  return {std::min(robot.d, farthest_), std::min(last - robot.d, farthest_), std::min(robot.p, farthest_),
-          std::min(last - robot.p, farthest_)};
+  const int count = static_cast<int>(turns_.size());
+  if (count > 1 && runner_.workers > 1) {
+    CornerBounds::prepare(*question_.space);
+    runner_.run(count, take);
+  } else {
+    for (int i = 0; i < count; ++i) take(i, 0);
+  }
+  const int expansions = best.expansions, planes_opened = best.planes_opened;
+  for (const PlaneTurn& turn : turns_) {
+    highest_ = std::max(highest_, turn.highest);
+    best.offer(turn.best.rectangle, turn.best.score);
+    best.gap_bound = std::max(best.gap_bound, turn.best.gap_bound);
+    best.expansions += turn.best.expansions - expansions;
+    best.planes_opened += turn.best.planes_opened - planes_opened;
+  }
 }
 
 }  // namespace enfilade::room_detector

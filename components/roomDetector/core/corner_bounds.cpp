@@ -26,6 +26,12 @@ CornerChoice CornerBounds::everything(const Reaches& reaches, int near_bins) {
   return CornerChoice::all(std::move(blocks));
 }
 
+void CornerBounds::prepare(const HoughSpace& space) {
+  if (!space.free_map().charges()) return;
+  for (int groups = 1; groups <= VoteStrips::kGroups; ++groups)
+    SquareCharges::prepare(space, kBlock / groups);
+}
+
 void CornerBounds::lay_out(const HoughSpace& space, const NearVotes& votes, const CornerChoice& choice) {
   votes_ = &votes;
   toll_ = space.penalties().per_bin;

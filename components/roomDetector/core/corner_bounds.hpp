@@ -26,6 +26,8 @@ class CornerBounds {
   /// All lines of planes around the robot with these reaches, in blocks: those beyond `near_bins`, a multiple
   /// of kBlock, in larger ones.
   static CornerChoice everything(const Reaches& reaches, int near_bins);
+  /// After this several threads may build bounds, each its own, until the space changes.
+  static void prepare(const HoughSpace& space);
   /// These corners count in the next planes. Blocks begin at distances 1 + k · kBlock; larger ones than
   /// kBlock are far and the last of their side.
   void lay_out(const HoughSpace& space, const NearVotes& votes, const CornerChoice& choice);

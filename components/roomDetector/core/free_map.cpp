@@ -90,11 +90,13 @@ FreeMap::Least FreeMap::least_within(double distance_m) const {
   const double blocks = distance_m / cell_m_ / (1 << kBlockBits);
   const int reach = std::max(1, static_cast<int>(std::ceil(blocks)));
   update_least();
-  Eroded& eroded = eroded_[static_cast<std::size_t>(reach % kReaches)];
-  if (eroded.reach != reach) {
-    const auto side = static_cast<std::size_t>(blocks_);
-    eroded = {reach, blocks_of(known_), ZeroedArray<std::uint8_t>(side * side)};
+  const auto side = static_cast<std::size_t>(blocks_);
+  if (reach >= kReaches) {
+    if (nothing_.empty()) nothing_ = ZeroedArray<std::uint8_t>(side);
+    return {nothing_.data(), 0};
   }
+  Eroded& eroded = eroded_[static_cast<std::size_t>(reach)];
+  if (eroded.reach != reach) eroded = {reach, blocks_of(known_), ZeroedArray<std::uint8_t>(side * side)};
   if (!eroded.stale.is_empty()) erode(eroded);
   return {eroded.charges.data(), static_cast<std::size_t>(blocks_)};
 }

@@ -42,20 +42,20 @@ class FreeMap {
   /// Lower bounds of the charges around each place, 255 at most.
   struct Least {
     const std::uint8_t* charges;
-    std::size_t blocks;
+    std::size_t stride;
     int at(std::int32_t fixed_x, std::int32_t fixed_y) const {
       const int shift = kBits + kBlockBits;
-      return charges[static_cast<std::size_t>(fixed_x >> shift) * blocks +
+      return charges[static_cast<std::size_t>(fixed_x >> shift) * stride +
                      static_cast<std::size_t>(fixed_y >> shift)];
     }
   };
-  /// No more than any charge at most so far away along each axis. Valid until the map changes or another
-  /// distance is asked for.
+  /// No more than any charge at most so far away along each axis; 0 where that is very far. Valid until the
+  /// map changes. Of threads that ask only one may be the first to ask for a distance.
   Least least_within(double distance_m) const;
 
  private:
   static constexpr int kBlockBits = 1;
-  static constexpr int kReaches = 4;  // kept at a time
+  static constexpr int kReaches = 16;  // in blocks; beyond, nothing is known of charges
 
   /// Rows and columns from ≤ i < to, of cells or of blocks of them.
   struct Box {
@@ -101,10 +101,11 @@ class FreeMap {
   int near_cells_ = 0;
   ZeroedArray<std::int16_t> free_, charge_;
   ZeroedArray<std::uint8_t> occupied_;
-  Box known_;                                // cells with votes
-  mutable Box changed_;                      // cells whose charge has, since least_ was
-  mutable ZeroedArray<std::uint8_t> least_;  // charge of each block
-  mutable std::array<Eroded, kReaches> eroded_;
+  Box known_;                                    // cells with votes
+  mutable Box changed_;                          // cells whose charge has, since least_ was
+  mutable ZeroedArray<std::uint8_t> least_;      // charge of each block
+  mutable std::array<Eroded, kReaches> eroded_;  // by reach
+  mutable ZeroedArray<std::uint8_t> nothing_;    // one row, for distances beyond them
   mutable std::vector<std::uint8_t> by_row_;
 };
 

@@ -43,7 +43,8 @@ bool fits(const BinRectangle& r, const HoughSpace& space, const PlaneLimits& lim
 
 }  // namespace
 
-RectangleSearch::RectangleSearch(const SearchConfig& config, const HoughConfig& hough) : config_(config) {
+RectangleSearch::RectangleSearch(const SearchConfig& config, const HoughConfig& hough, TaskRunner runner)
+    : config_(config), around_({}, std::move(runner)) {
   if (config.side_min_m >= config.side_max_m)
     throw std::invalid_argument("side_min_m must be less than side_max_m");
   const bool is_literal = config.search == SearchMethod::kLiteral;

@@ -53,7 +53,7 @@ struct SearchResult {
 class RectangleSearch {
  public:
   /// Throws std::invalid_argument where the literal table of `hough` would be too large.
-  explicit RectangleSearch(const SearchConfig& config, const HoughConfig& hough = {});
+  explicit RectangleSearch(const SearchConfig& config, const HoughConfig& hough = {}, TaskRunner runner = {});
   std::optional<SearchResult> find_best(const HoughSpace& space, const std::optional<Point2>& robot);
 
  private:

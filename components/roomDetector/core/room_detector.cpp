@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace enfilade::room_detector {
 namespace {
@@ -47,11 +48,11 @@ Pose2 correction_of(const Detection& d, std::size_t stand) {
 
 }  // namespace
 
-RoomDetector::RoomDetector(const RoomDetectorConfig& config)
+RoomDetector::RoomDetector(const RoomDetectorConfig& config, TaskRunner runner)
     : config_(config),
       map_(config.beyond_floor_m),
       votes_(config.votes, config.hough),
-      search_(config.search, config.hough),
+      search_(config.search, config.hough, std::move(runner)),
       fitter_(config.fit),
       door_finder_(config.door_finder),
       joint_fitter_(config.joint, config.fit),

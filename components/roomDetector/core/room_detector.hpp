@@ -54,7 +54,8 @@ struct Detection {
 /// Section III: the room and its doors from the occupancy grid, kept up to date with the changes of the grid.
 class RoomDetector {
  public:
-  explicit RoomDetector(const RoomDetectorConfig& config);
+  /// `runner` works off what the search of a rectangle does beside each other.
+  explicit RoomDetector(const RoomDetectorConfig& config, TaskRunner runner = {});
 
   /// Forgets everything: a new grid begins.
   void clear(double resolution_m);

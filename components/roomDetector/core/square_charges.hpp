@@ -26,6 +26,12 @@ class SquareCharges {
     y_by_p_ = p_step * size * centres.x_by_d;
   }
 
+  /// After this several threads may look at such squares, of any plane, until the space changes.
+  static void prepare(const HoughSpace& space, int size) {
+    for (int a = 0; a < space.lattice().angles(); ++a)
+      space.free_map().least_within(half_side_m(space, a, size));
+  }
+
   int at(int d, int p) const {
     return least_.at(x_ + d * x_by_d_ + p * x_by_p_, y_ + d * y_by_d_ + p * y_by_p_);
   }

@@ -102,6 +102,7 @@ void bind(ConfigBinder& c, RoomDetectorNodeConfig& config) {
   bind(c, d.band);
   bind(c, d.votes);
   bind(c, d.search);
+  c.integer("search_threads", config.search_threads, 1, 64);
   c.flag("refine", d.refine);
   c.group("fit", [&](ConfigBinder& g) { bind(g, d.fit); });
   c.group("joint", [&](ConfigBinder& g) { bind(g, d.joint); });

@@ -10,6 +10,7 @@ struct RoomDetectorNodeConfig {
   PeriodConfig period{.compute_s = 0.25};
   bool every_line = true;             ///< an estimate for each scan line beside those of the period
   double diagnostics_period_s = 1.0;  ///< room_diagnostics is published at most this often
+  int search_threads = 2;             ///< at most that work at one search; no more than there are processors
   RoomDetectorConfig detector;
 };
 

@@ -8,7 +8,10 @@ namespace enfilade::room_detector {
 
 RoomDetectorNode::RoomDetectorNode(const NodeContext& context, const RoomDetectorNodeConfig& config)
     : context_(context),
-      detector_(config.detector),
+      crew_(config.search_threads),
+      detector_(config.detector,
+                {.workers = crew_.size(),
+                 .run = [this](int tasks, const TaskRunner::Work& work) { crew_.run(tasks, work); }}),
       grid_({.start = [this](const GridChange& change) { start_grid(change); },
              .apply =
                  [this](const GridChange& change) {

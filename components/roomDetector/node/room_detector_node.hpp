@@ -5,6 +5,7 @@
 
 #include "components/roomDetector/node/grid_follower.hpp"
 #include "components/roomDetector/node/room_detector_config.hpp"
+#include "interfaces/runtime/crew.hpp"
 #include "interfaces/runtime/node.hpp"
 #include "interfaces/runtime/service.hpp"
 #include "interfaces/topics/topics.hpp"
@@ -29,6 +30,7 @@ class RoomDetectorNode : public Node {
   void ask_for_snapshot();
 
   NodeContext context_;
+  Crew crew_;
   RoomDetector detector_;
   GridFollower grid_;
   void publish_diagnostics(const Detection& detection, const RoomEstimate& estimate);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "components/roomDetector/core/rectangle_search.hpp"
+#include "tests/benchmark/perception/crew_runner.hpp"
 #include "tests/benchmark/perception/random_scans.hpp"
 #include "tests/benchmark/perception/timing.hpp"
 
@@ -30,9 +31,9 @@ std::vector<Stream> streams() {
   return streams;
 }
 
-void streaming(benchmark::State& state) {
+void streaming(benchmark::State& state, const TaskRunner& runner) {
   static const std::vector<Stream> all = streams();
-  InputTimes times;
+  InputTimes times(runner.workers > 1 ? wall_ms : thread_ms);
   double gaps = 0.0;
   for (auto _ : state) {
     gaps = 0.0;
@@ -41,7 +42,7 @@ void streaming(benchmark::State& state) {
       ColumnMap map;
       map.clear(0.05);
       WallVotes votes({}, {});
-      RectangleSearch search({});
+      RectangleSearch search({}, {}, runner);
       const Point2& first = stream.lines.front().robot;
       const Point2 origin(std::round(first.x()), std::round(first.y()));
       for (const Stream::Line& line : stream.lines) {
@@ -58,8 +59,14 @@ void streaming(benchmark::State& state) {
   state.counters["gaps"] = gaps;
 }
 
-const auto* const kRegistered =
-    benchmark::RegisterBenchmark("LineUpdate/streaming", streaming) -> Unit(benchmark::kMillisecond);
+const bool kRegistered = [] {
+  const auto add = [](const char* name, auto run) {
+    benchmark::RegisterBenchmark(name, run)->Unit(benchmark::kMillisecond);
+  };
+  add("LineUpdate/streaming", [](benchmark::State& s) { streaming(s, deployed_runner()); });
+  add("LineUpdate/streaming_one_thread", [](benchmark::State& s) { streaming(s, {}); });
+  return true;
+}();
 
 }  // namespace
 }  // namespace enfilade::bench

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -18,15 +19,23 @@ inline double thread_ms() {
   return 1e3 * static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_nsec);
 }
 
+inline double wall_ms() {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
 /// How long each of many inputs takes: of the passes over all of them the quickest counts.
 class InputTimes {
  public:
+  /// Work shared out to several threads needs `clock` = wall_ms.
+  explicit InputTimes(double (*clock)() = thread_ms) : clock_(clock) {}
+
   template <class Work>
   void measure(std::size_t input, Work&& work) {
-    const double start_ms = thread_ms();
+    const double start_ms = clock_();
     work();
     if (input >= best_ms_.size()) best_ms_.resize(input + 1, std::numeric_limits<double>::max());
-    best_ms_[input] = std::min(best_ms_[input], thread_ms() - start_ms);
+    best_ms_[input] = std::min(best_ms_[input], clock_() - start_ms);
   }
 
   /// Counters `median_ms`, `max_ms` and `inputs`.
@@ -40,6 +49,7 @@ class InputTimes {
   }
 
  private:
+  double (*clock_)();
   std::vector<double> best_ms_;
 };
 
