@@ -23,9 +23,9 @@ class Crew {
   Crew& operator=(const Crew&) = delete;
 
   int size() const { return static_cast<int>(threads_.size()) + 1; }
-  /// Calls work(task, worker) once for each 0 ≤ task < tasks, at most 65,535, in order of their beginning, and
-  /// returns when all are done. Of the tasks that are at work at the same time each has another
-  /// 0 ≤ worker < size(). One caller at a time; `work` must not throw.
+  /// Calls work(task, worker) once for each 0 ≤ task < tasks, at most 65,535, in order of their beginning,
+  /// and returns when all are done. Of the tasks that are at work at the same time each has another 0 ≤
+  /// worker < size(). One caller at a time; `work` must not throw.
   void run(int tasks, const Work& work);
 
  private:

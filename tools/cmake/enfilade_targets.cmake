@@ -67,7 +67,7 @@ function(enfilade_executable name)
   enfilade_use_pch(${name} enfilade_pch)
 endfunction()
 
-# enfilade_test(NAME LABEL unit|interfaces|integration … SOURCES x_test.cpp … [DEPENDS lib …] [TIMEOUT seconds] [OPTIMISED])
+# enfilade_test(NAME LABEL unit|interfaces|threads|integration … SOURCES x_test.cpp … [DEPENDS lib …] [TIMEOUT seconds] [OPTIMISED])
 # OPTIMISED: tests that compute a lot themselves.
 # Target tests_<label> builds all tests of one label.
 function(enfilade_test name)

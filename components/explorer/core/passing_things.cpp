@@ -47,8 +47,7 @@ void PassingThings::watch(const Pose2& T_zone_base, const std::vector<Point3f>& 
     const Point2 at{p.x_m, p.y_m};
     if (at.norm() > kFarthestM) continue;
     const Point2 in_zone = T_zone_base * at / resolution_m;
-    ++beams[key_of(
-        {static_cast<int>(std::floor(in_zone.x())), static_cast<int>(std::floor(in_zone.y()))})];
+    ++beams[key_of({static_cast<int>(std::floor(in_zone.x())), static_cast<int>(std::floor(in_zone.y()))})];
   }
   for (const auto& [column, count] : beams) lines_[column] += count >= kFewestBeams ? 1 : 0;
 }

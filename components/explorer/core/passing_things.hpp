@@ -21,8 +21,8 @@ class PassingThings {
   /// One line of the level sensor; between begin_watch() and end_watch() the robot stands still.
   void watch(const Pose2& T_zone_base, const std::vector<Point3f>& points, double resolution_m);
   void end_watch();
-  /// Middles of the obstacle columns where something was seen passing since clear(). Not those beside a column
-  /// that may stand: what is low and stands at somebody's wayside is not seen by a level sensor.
+  /// Middles of the obstacle columns where something was seen passing since clear(). Not those beside a
+  /// column that may stand: what is low and stands at somebody's wayside is not seen by a level sensor.
   std::vector<Point2> trail(const ProjectedGrid& grid) const;
 
  private:

@@ -18,7 +18,7 @@ struct AroundQuestion {
   int farthest_bins = 0;  ///< no better rectangle has a line farther from the robot
   NearVotes votes;
   bool only_votes_count = false;  ///< no tolls, no free space, nothing inside
-  bool are_few = false;           ///< so few votes that spelling planes out is no more work than bounding them
+  bool are_few = false;  ///< so few votes that spelling planes out is no more work than bounding them
 
   HoughSpace::Bins robot_bins(int angle) const { return space->bins_of(angle, robot); }
 

@@ -42,7 +42,8 @@ std::optional<PlaneState> PlaneSteps::bound_by_blocks(const PlaneState& plane, P
     choice = CornerBounds::everything(reaches, q.near_bins);
     return PlaneState{plane.bound, plane.angle, plane.walls, PlaneState::kUnbounded, best.score};
   }
-  if (reaches != laid_out_) blocks_.lay_out(*q.space, q.votes, CornerBounds::everything(reaches, q.near_bins));
+  if (reaches != laid_out_)
+    blocks_.lay_out(*q.space, q.votes, CornerBounds::everything(reaches, q.near_bins));
   laid_out_ = reaches;
   blocks_.build(*q.space, plane.angle, q.robot_bins(plane.angle), best.score, plane.walls, limits);
   best.expansions += blocks_.work();

@@ -26,9 +26,9 @@ struct PlaneState {
 /// One turn of a plane: where it stands, and what comes of it.
 struct PlaneTurn {
   PlaneState plane;
-  bool may_look = false;      ///< search it at once where it promises more than all before
-  int highest = kNever;       ///< of the bounds by blocks of all planes
-  Incumbent best;             ///< what the others have found before this turn, and what it adds
+  bool may_look = false;           ///< search it at once where it promises more than all before
+  int highest = kNever;            ///< of the bounds by blocks of all planes
+  Incumbent best;                  ///< what the others have found before this turn, and what it adds
   std::optional<PlaneState> next;  ///< with a better bound, if it may still hold the best rectangle
 
   bool may_win(int bound) const { return best.may_lose_to(bound, {plane.angle, 0, 0, 0, 0}); }

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "components/roomDetector/core/around_search.hpp"
 
-#include <atomic>
-#include <thread>
-
 #include <gtest/gtest.h>
 
 #include "tests/unit/components/roomDetector/brute_force.hpp"
@@ -162,36 +159,6 @@ TEST(CornerBounds, KeepThemWhereVotesAreRounded) {
     world.votes.push_back({world.robot + Point2(0.0, 3.0), 200'000, 0, 0});  // units of 16
     expect_bounded(world, CornerBounds::kBlock, true, seed);
   }
-}
-
-/// Three threads for each list of tasks.
-TaskRunner three_threads() {
-  return {.workers = 3, .run = [](int tasks, const TaskRunner::Work& work) {
-            std::atomic<int> next = 0;
-            std::vector<std::jthread> threads;
-            for (int worker = 0; worker < 3; ++worker) {
-              threads.emplace_back([&, worker] {
-                for (int task = next++; task < tasks; task = next++) work(task, worker);
-              });
-            }
-          }};
-}
-
-TEST(AroundSearch, FindsTheSameByTheSameWorkWithAnyNumberOfThreads) {
-  AroundSearch alone({CornerBounds::kBlock}), beside({CornerBounds::kBlock}, three_threads());
-  int most = 0;
-  for (unsigned seed = 0; seed < 30; ++seed) {
-    World world(seed);
-    world.hough.theta_step_deg = 1.0;
-    const HoughSpace space = world.space(0.05);
-    const Incumbent one = found_by(alone, world, space), other = found_by(beside, world, space);
-    EXPECT_EQ(other.rectangle, one.rectangle) << "seed " << seed;
-    EXPECT_EQ(other.score, one.score) << "seed " << seed;
-    EXPECT_EQ(other.expansions, one.expansions) << "seed " << seed;
-    EXPECT_EQ(other.planes_opened, one.planes_opened) << "seed " << seed;
-    most = std::max(most, one.expansions);
-  }
-  EXPECT_GT(most, 1000) << "no search took long enough for threads";
 }
 
 TEST(AroundSearch, NeedsLessWorkWithAGoodFirstGuess) {
