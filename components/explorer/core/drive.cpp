@@ -33,6 +33,7 @@ void Drive::begin(const Pose2& goal, FloorHints known) {
   met_.clear();
   map_.reset();
   blocked_since_ns_.reset();
+  no_way_round_ = false;
   replans_ = 0;
 }
 
@@ -74,18 +75,34 @@ DriveStatus Drive::update(const Observation& seen, Decision& decision) {
   const auto in_the_way =
       seen.points ? guard_.in_the_way(step.velocity, seen.points->points) : std::vector<Point2>{};
   if (!in_the_way.empty()) return wait_blocked(seen, in_the_way);
-  blocked_since_ns_.reset();
+  go_on();
   decision.drive(step.velocity);
   return DriveStatus::kDriving;
 }
 
+/// After a while it looks for a way round; where there is none, whoever bars the way may go yet.
 DriveStatus Drive::wait_blocked(const Observation& seen, const std::vector<Point2>& in_the_way) {
   if (!blocked_since_ns_) blocked_since_ns_ = seen.now_ns;
-  if (seconds(seen.now_ns - *blocked_since_ns_) < config_.blocked_s) return DriveStatus::kDriving;
-  blocked_since_ns_.reset();
+  const double waited_s = seconds(seen.now_ns - *blocked_since_ns_);
+  if (waited_s < config_.blocked_s) return DriveStatus::kDriving;
+  if (no_way_round_) return waited_s < config_.patience_s ? DriveStatus::kDriving : DriveStatus::kFailed;
   for (const Point2& p : in_the_way) met_.push_back(*seen.T_zone_base * p);
-  if (++replans_ > config_.max_replans || !plan(seen)) return DriveStatus::kFailed;
+  if (++replans_ > config_.max_replans) return DriveStatus::kFailed;
+  const bool was_narrow = narrow_;
+  if (plan(seen)) {
+    blocked_since_ns_.reset();
+  } else {
+    no_way_round_ = true;
+    narrow_ = was_narrow;
+  }
   return DriveStatus::kDriving;
+}
+
+/// What was met has gone, and is no obstacle any more.
+void Drive::go_on() {
+  if (no_way_round_) met_.clear();
+  no_way_round_ = false;
+  blocked_since_ns_.reset();
 }
 
 double Drive::speed_limit_m_s(const Point2& at) const {

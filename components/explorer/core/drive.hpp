@@ -20,7 +20,8 @@ struct DriveConfig {
   double near_speed_m_s = 0.20;    ///< … it goes this slowly, and faster the more room there is
   double narrow_speed_m_s = 0.10;  ///< instead, on a way that keeps only narrow_radius_m
   double open_clearance_m = 0.50;
-  double blocked_s = 2.0;  ///< stands this long before something in the way before it looks for another way
+  double blocked_s = 2.0;   ///< stands this long before something in the way before it looks for another way
+  double patience_s = 6.0;  ///< and this long where there is none
   int max_replans = 3;
   double slowest_m_s = 0.05;  ///< slower than this on the whole, it has failed
   double spare_s = 40.0;
@@ -47,6 +48,7 @@ class Drive {
   bool plan(const Observation& seen);
   std::optional<Path> find_path(const Observation& seen);
   DriveStatus wait_blocked(const Observation& seen, const std::vector<Point2>& in_the_way);
+  void go_on();
   double speed_limit_m_s(const Point2& at) const;
 
   DriveConfig config_;
@@ -58,6 +60,7 @@ class Drive {
   std::optional<FloorMap> map_;
   bool narrow_ = false;  ///< no way keeps the usual distance from obstacles
   std::optional<StampNs> blocked_since_ns_;
+  bool no_way_round_ = false;  ///< what is in the way now
   StampNs deadline_ns_ = 0;
   int replans_ = 0;
 };

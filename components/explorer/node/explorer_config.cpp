@@ -112,6 +112,7 @@ void bind(ConfigBinder& c, DriveConfig& d) {
   c.number("narrow_speed_m_s", d.narrow_speed_m_s, 0.02, 2.0);
   c.number("open_clearance_m", d.open_clearance_m, 0.1, 5.0);
   c.number("blocked_s", d.blocked_s, 0.1, 300.0);
+  c.number("patience_s", d.patience_s, 0.1, 300.0);
   c.integer("max_replans", d.max_replans, 0, 100);
   c.number("slowest_m_s", d.slowest_m_s, 0.001, 1.0);
   c.number("spare_s", d.spare_s, 1.0, 600.0);

@@ -161,14 +161,14 @@ void place_start(Dice& dice, RandomBuilding& building) {
                                dice.between(-kPi, kPi)};
 }
 
-/// Whether all rooms stay joined without the door.
-bool can_be_spared(const RandomBuilding& building, std::size_t door) {
+/// Whether all rooms stay joined without these doors.
+bool can_be_spared(const RandomBuilding& building, const std::vector<bool>& without) {
   std::vector<bool> reached(building.rooms.size(), false);
   reached[building.start_room] = true;
   for (std::size_t round = 0; round < building.rooms.size(); ++round) {
     for (std::size_t i = 0; i < building.doors.size(); ++i) {
       const BuiltDoor& d = building.doors[i];
-      if (i == door || !d.to || reached[d.opening.room] == reached[*d.to]) continue;
+      if (without[i] || !d.to || reached[d.opening.room] == reached[*d.to]) continue;
       reached[d.opening.room] = reached[*d.to] = true;
     }
   }
@@ -176,14 +176,19 @@ bool can_be_spared(const RandomBuilding& building, std::size_t door) {
 }
 
 void block_doors(const BuildingSpec& spec, Dice& dice, RandomBuilding& building) {
+  std::vector<bool> blocked(building.doors.size(), false);
   for (std::size_t i = 0; i < building.doors.size(); ++i) {
-    if (!dice.chance(spec.blocked_doors) || !can_be_spared(building, i)) continue;
+    std::vector<bool> without = blocked;
+    without[i] = true;
+    if (!dice.chance(spec.blocked_doors) || !can_be_spared(building, without)) continue;
     const BuiltOpening& o = building.doors[i].opening;
     const auto place = before_door(building, building.doors[i], o.room);
     const BuiltThing thing{
         .room = o.room, .place = *place, .size = {o.width_m, o.width_m}, .height_m = dice.between(0.4, 1.2)};
     const double to_start_m = distance_to(thing, building.T_building_start.translation());
-    if (to_start_m > kClearance_m) building.furniture.push_back(thing);
+    if (to_start_m <= kClearance_m) continue;
+    building.furniture.push_back(thing);
+    blocked[i] = true;
   }
 }
 

@@ -127,6 +127,29 @@ TEST(ExplorationDoors, GivesWayToWhoeverBarsTheWayToADoor) {
   EXPECT_LT(world.pose.x_m, barred_x_m - 0.4);
 }
 
+TEST(ExplorationDoors, WaitsForWhoeverStandsInTheOnlyWayAndGoesOn) {
+  MachineWorld world;
+  world.pose = {0.8, 2.0, 0.0};
+  ASSERT_TRUE(world.run_until(ExplorationPhase::kFixing, 200));
+  world.pose = {0.8, 2.0, 0.0};
+  world.grid.apply(
+      0.05, SyntheticRoom().solid(2.0, 0, 2.2, 1.6, 0.0, 0.5).solid(2.0, 2.4, 2.2, 4.0, 0.0, 0.5).cells());
+  int stood = 0;
+  for (int i = 0; i < 2000 && world.pose.x_m < 2.5 && !world.said("barred"); ++i) {
+    world.points.points.clear();
+    for (int k = 0; stood < 80 && k <= 16; ++k) {  // 4 s
+      const Point2 p = world.pose.inverse() * Point2(2.1, 1.6 + 0.05 * k);
+      world.points.points.push_back({static_cast<float>(p.x()), static_cast<float>(p.y()), 0.6F});
+    }
+    const Pose2 before = world.pose;
+    world.tick();
+    if (world.pose == before && world.pose.x_m > 1.5) ++stood;
+  }
+  EXPECT_GE(stood, 80);
+  EXPECT_GE(world.pose.x_m, 2.5);
+  EXPECT_FALSE(world.said("the way to it is barred"));
+}
+
 TEST(ExplorationDoors, LooksIntoAGapThatIsWiderThanADoorBeforeItFixesTheRoom) {
   MachineWorld world;
   world.estimate.doors[0].gap = {.wall = 0, .from_m = 0.9, .to_m = 3.1};
