@@ -8,7 +8,6 @@ namespace enfilade::room_detector {
 namespace {
 
 constexpr int kFewVotes = 120;   // that spelling planes out is no more work than bounding them
-constexpr int kAlone = 400;      // expansions after which planes step beside each other
 constexpr int kAbreast = 8;      // planes at a time; more know too little of each other
 constexpr int kAbreastDear = 2;  // of these, planes past their first bounds: their steps take longer
 
@@ -43,7 +42,7 @@ void AroundSearch::search(const HoughSpace& space, const Point2& robot, const Wi
   begin(space, robot, sides);
   const auto all = bound_by_sums();
   Planes planes(all.begin(), all.end());
-  const int alone_until = best.expansions + kAlone;
+  const int alone_until = best.expansions + config_.alone_expansions;
   while (choose_turns(planes, best.expansions < alone_until ? 1 : kAbreast, best)) {
     if (!best.has_budget()) {
       best.gap_bound = std::max(best.gap_bound, turns_.front().plane.bound);

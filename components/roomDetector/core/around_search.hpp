@@ -13,6 +13,7 @@ namespace enfilade::room_detector {
 struct AroundSearchConfig {
   int near_bins = 14 * CornerBounds::kBlock;  ///< so far out votes are counted for the first bounds; what
                                               ///< lies beyond is known by the sums of whole lines
+  int alone_expansions = 400;                 ///< after so much work planes step beside each other
 };
 
 /// The best of all rectangles around the robot, over all planes, best bound first.
