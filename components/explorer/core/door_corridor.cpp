@@ -70,13 +70,17 @@ std::optional<DoorCorridor> best_line(const FloorMap& map, const Pose2& T_zone_d
   return best;
 }
 
-/// The one that leads farthest, on both sides.
+/// The one that leads farthest beyond, and inside as far as it can amply.
 std::optional<DoorCorridor> longest_line(const FloorMap& map, const Pose2& T_zone_door,
                                          const Obstacles& obstacles, const DoorCorridorConfig& config) {
-  constexpr double kStepM = 0.05;
+  constexpr double kStepM = 0.05, kAmplyM = 0.05;
+  DoorCorridorConfig ample = config;
+  ample.clearance_m += kAmplyM;
   for (double beyond_m = config.beyond_m; beyond_m >= config.beyond_least_m - 1e-6; beyond_m -= kStepM) {
-    for (double inside_m = config.inside_m; inside_m >= config.inside_least_m - 1e-6; inside_m -= kStepM) {
-      if (auto line = best_line(map, T_zone_door, obstacles, inside_m, beyond_m, config)) return line;
+    for (const DoorCorridorConfig& c : {ample, config}) {
+      for (double inside_m = c.inside_m; inside_m >= c.inside_least_m - 1e-6; inside_m -= kStepM) {
+        if (auto line = best_line(map, T_zone_door, obstacles, inside_m, beyond_m, c)) return line;
+      }
     }
   }
   return std::nullopt;

@@ -59,6 +59,14 @@ TEST(DoorJudge, TheWayLiesAmidTheJambsAsTheyAreSeen) {
   EXPECT_NEAR(judgement.corridor->to.y_m, 2.0, 0.03);
 }
 
+TEST(DoorJudge, TheWayBeginsWhereThereIsRoomToTurnRatherThanFarFromTheDoor) {
+  auto room = room_with_door();
+  add_room_behind(room).solid(2.9, 1.0, 3.05, 3.0, 0.0, 0.7);
+  const auto judgement = judge(room.grid(), kDoor);
+  ASSERT_EQ(judgement.verdict, DoorVerdict::kWay);
+  EXPECT_NEAR(judgement.corridor->from.x_m, 3.4, 0.03);
+}
+
 TEST(DoorJudge, WhereThingsLeaveHalfAMetreTheWayLeadsAmidThem) {
   auto room = room_with_door();
   add_room_behind(room).solid(3.8, 1.0, 3.9, 1.55, 0.0, 0.5).solid(3.8, 2.05, 3.9, 2.5, 0.0, 0.5);
