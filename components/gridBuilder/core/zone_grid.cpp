@@ -53,11 +53,12 @@ ZoneGrid::ZoneGrid(const ZoneGridConfig& config)
       cells_({static_cast<std::size_t>(config.max_memory_mb) * kTilesPerMb, lowest_z_, highest_z_}),
       certainties_(rule_of(config)) {}
 
-LineUpdate ZoneGrid::insert(const ScanLine& line) {
+LineUpdate ZoneGrid::insert(const ScanLine& line, const std::vector<HitCell>& hits) {
   if (line_stamp_ns_ != line.stamp_ns) begin_line(line.stamp_ns);
   LineUpdate update;
   // Hits first: a cell marked by this line is not carved by it any more.
-  for (const HitCell& group : hit_cells(line)) {
+  update.hits.reserve(hits.size());
+  for (const HitCell& group : hits) {
     mark_hit(group.cell, update);
     update.hits.push_back(group.hit);
   }

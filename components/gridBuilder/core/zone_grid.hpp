@@ -51,7 +51,12 @@ class ZoneGrid {
  public:
   explicit ZoneGrid(const ZoneGridConfig& config);
 
-  LineUpdate insert(const ScanLine& line);
+  LineUpdate insert(const ScanLine& line) { return insert(line, hit_cells(line)); }
+  /// The returns of a line that count, by cell. They are known before the cells are worked on, which takes
+  /// longer.
+  std::vector<HitCell> hit_cells(const ScanLine& line) const;
+  /// The same as insert(line), for whoever has asked for `hits` = hit_cells(line) already.
+  LineUpdate insert(const ScanLine& line, const std::vector<HitCell>& hits);
   /// Everything becomes unexplored.
   void clear();
 
@@ -79,7 +84,6 @@ class ZoneGrid {
   std::size_t tile_count() const { return cells_.tile_count(); }
 
  private:
-  std::vector<HitCell> hit_cells(const ScanLine& line) const;
   void begin_line(StampNs stamp_ns);
   void mark_hit(const CellIndex& cell, LineUpdate& update);
   void carve(const Point3f& origin, const Point3f& end, LineUpdate& update);

@@ -28,6 +28,13 @@ std::uint32_t first_epoch(const Clock& clock) {
   return static_cast<std::uint32_t>(std::chrono::duration_cast<std::chrono::seconds>(since_1970).count());
 }
 
+std::vector<CellHit> means_of(const std::vector<HitCell>& cells) {
+  std::vector<CellHit> hits;
+  hits.reserve(cells.size());
+  for (const HitCell& cell : cells) hits.push_back(cell.hit);
+  return hits;
+}
+
 }  // namespace
 
 GridBuilderNode::GridBuilderNode(const NodeContext& context, const GridBuilderConfig& config)
@@ -191,8 +198,12 @@ void GridBuilderNode::publish_zone_frame() {
       {{{context_.clock.now_ns(), "odom", kZoneFrame, to_transform3(registrar_.T_zone_odom().inverse())}}});
 }
 
+/// Returns go out before the cells they change are known: readers work on them meanwhile.
 void GridBuilderNode::insert(const BaseLine& line, const Pose2& T_zone_base) {
-  LineUpdate update = grid_.insert(place(line, *origin_base_, T_zone_base));
+  const ScanLine placed = place(line, *origin_base_, T_zone_base);
+  const std::vector<HitCell> hits = grid_.hit_cells(placed);
+  if (line.has_hits) hits_.publish({gate_.tag(), line.stamp_ns, T_zone_base, means_of(hits)});
+  LineUpdate update = grid_.insert(placed, hits);
   if (update.cells_without_memory > 0 && !std::exchange(memory_told_, true)) {
     context_.log.warn("the grid is full: raise grid.max_memory_mb or lower grid.max_range_m");
   }
@@ -201,7 +212,6 @@ void GridBuilderNode::insert(const BaseLine& line, const Pose2& T_zone_base) {
   if (!line.has_hits && update.changes.empty()) return;
   gate_.next_sequence();
   changes_.publish(change(newest_line_ns_, std::move(update.changes)));
-  if (line.has_hits) hits_.publish({gate_.tag(), line.stamp_ns, T_zone_base, std::move(update.hits)});
 }
 
 GridChange GridBuilderNode::change(StampNs stamp_ns, std::vector<GridCell> cells) const {
