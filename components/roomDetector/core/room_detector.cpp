@@ -153,19 +153,20 @@ std::vector<WallPoint> RoomDetector::cells_far_from(const std::vector<StandPoint
     for (const WallPoint& point : stand.points)
       if (const Column* hit = map_.find(point.position)) is_hit[map_.index_of(*hit)] = true;
   }
+  const Levels levels = band.levels();
   std::vector<std::size_t> far;
   for (const std::size_t i : votes_.space()->wall_voters()) {
+    const Column& column = map_.columns()[i];
+    if (is_hit[i] || count_of(column.occupied & levels) == 0) continue;  // as nearly all
     bool is_beside_hit = false;
-    map_.for_each_around(map_.columns()[i], [&](std::size_t at) { is_beside_hit |= is_hit[at]; });
+    map_.for_each_around(column, [&](std::size_t at) { is_beside_hit |= is_hit[at]; });
     if (!is_beside_hit) far.push_back(i);
   }
   std::sort(far.begin(), far.end());  // voters come and go in any order
-  const Levels levels = band.levels();
   std::vector<WallPoint> points;
   for (const std::size_t i : far) {
     const Column& column = map_.columns()[i];
-    if (const int occupied = count_of(column.occupied & levels))
-      points.push_back({map_.centre(column), static_cast<double>(occupied)});
+    points.push_back({map_.centre(column), static_cast<double>(count_of(column.occupied & levels))});
   }
   return points;
 }
