@@ -102,41 +102,40 @@ HoughSpace::BinCentres HoughSpace::bin_centres(int angle) const {
           fixed(by_bin * n.sin)};
 }
 
-std::array<int, 4> HoughSpace::walls(const BinRectangle& r) const {
+HoughSpace::Terms HoughSpace::terms(const BinRectangle& r) const {
   std::array<int, 4> walls{};
-  for (const WallVote& vote : wall_votes_) {
-    const Bins b = bins_at(r.alpha, vote.x_m, vote.y_m);
-    if (b.d == r.d12 && b.p >= r.d41 && b.p < r.d23) walls[0] += vote.occupied;  // eq. 6
-    if (b.p == r.d23 && b.d >= r.d12 && b.d < r.d34) walls[1] += vote.occupied;  // eq. 8
-    if (b.d == r.d34 && b.p > r.d41 && b.p <= r.d23) walls[2] += vote.occupied;  // eq. 7
-    if (b.p == r.d41 && b.d > r.d12 && b.d <= r.d34) walls[3] += vote.occupied;  // eq. 9
-  }
-  if (!free_map_.charges()) return walls;
-  const BinCentres at = bin_centres(r.alpha);
-  const auto charge = [&](int d, int p) { return free_map_.charge_at(at.x_at(d, p), at.y_at(d, p)); };
-  for (int p = r.d41; p < r.d23; ++p) {
-    walls[0] -= charge(r.d12, p);
-    walls[2] -= charge(r.d34, p + 1);
-  }
-  for (int d = r.d12; d < r.d34; ++d) {
-    walls[1] -= charge(d, r.d23);
-    walls[3] -= charge(d + 1, r.d41);
-  }
-  return walls;
-}
-
-int HoughSpace::score(const BinRectangle& r) const {
-  const auto [h12, h23, h34, h41] = walls(r);
   int inside = 0;
   const int margin = penalties_.contour_bins;
   for (const WallVote& vote : wall_votes_) {
-    if (vote.interior == 0) continue;
     const Bins b = bins_at(r.alpha, vote.x_m, vote.y_m);
+    if (b.d < r.d12 || b.d > r.d34 || b.p < r.d41 || b.p > r.d23) continue;
+    if (b.d == r.d12 && b.p < r.d23) walls[0] += vote.occupied;  // eq. 6
+    if (b.p == r.d23 && b.d < r.d34) walls[1] += vote.occupied;  // eq. 8
+    if (b.d == r.d34 && b.p > r.d41) walls[2] += vote.occupied;  // eq. 7
+    if (b.p == r.d41 && b.d > r.d12) walls[3] += vote.occupied;  // eq. 9
     const bool is_inside =
         b.d > r.d12 + margin && b.d < r.d34 - margin && b.p > r.d41 + margin && b.p < r.d23 - margin;
     if (is_inside) inside += vote.interior;
   }
-  return h12 + h23 + h34 + h41 - inside - penalties_.per_bin * 2 * (r.d34 - r.d12 + r.d23 - r.d41);  // eq. 5
+  charge(r, walls);
+  const int contour = 2 * (r.d34 - r.d12 + r.d23 - r.d41);
+  const int on_walls = walls[0] + walls[1] + walls[2] + walls[3];
+  return {walls, on_walls - inside - penalties_.per_bin * contour};  // eq. 5
+}
+
+/// Takes off what is free under the contour.
+void HoughSpace::charge(const BinRectangle& r, std::array<int, 4>& walls) const {
+  if (!free_map_.charges()) return;
+  const BinCentres at = bin_centres(r.alpha);
+  const auto charge_at = [&](int d, int p) { return free_map_.charge_at(at.x_at(d, p), at.y_at(d, p)); };
+  for (int p = r.d41; p < r.d23; ++p) {
+    walls[0] -= charge_at(r.d12, p);
+    walls[2] -= charge_at(r.d34, p + 1);
+  }
+  for (int d = r.d12; d < r.d34; ++d) {
+    walls[1] -= charge_at(d, r.d23);
+    walls[3] -= charge_at(d + 1, r.d41);
+  }
 }
 
 }  // namespace enfilade::room_detector

@@ -107,11 +107,17 @@ class HoughSpace {
   /// h₁₂, h₂₃, h₃₄ and h₄₁ of eq. 6–9, and H_r of eq. 5 with what `score: evidence` adds, counted vote by
   /// vote. Each wall includes its first corner, going round the contour, and excludes its last, so that every
   /// bin of the contour counts once.
-  std::array<int, 4> walls(const BinRectangle& r) const;
-  int score(const BinRectangle& r) const;
+  struct Terms {
+    std::array<int, 4> walls{};
+    int score = 0;
+  };
+  Terms terms(const BinRectangle& r) const;
+  std::array<int, 4> walls(const BinRectangle& r) const { return terms(r).walls; }
+  int score(const BinRectangle& r) const { return terms(r).score; }
 
  private:
   void add(const Point2& position, int occupied);
+  void charge(const BinRectangle& r, std::array<int, 4>& walls) const;
   void keep_wall_vote(std::size_t index, const Vote& vote);
   std::size_t bins() const { return static_cast<std::size_t>(lattice_.bins()); }
   std::size_t offset(int angle) const { return static_cast<std::size_t>(angle) * bins(); }

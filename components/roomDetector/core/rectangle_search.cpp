@@ -72,29 +72,35 @@ std::optional<SearchResult> RectangleSearch::find_best(const HoughSpace& space,
 std::optional<SearchResult> RectangleSearch::search(const HoughSpace& space,
                                                     const std::optional<Point2>& robot, bool& is_proven) {
   Incumbent best{.rectangle = {}, .score = config_.least_score - 1, .max_expansions = config_.max_expansions};
+  std::optional<HoughSpace::Terms> of_last;
   if (config_.search != SearchMethod::kExact) {
     search_each_plane(space, robot, best);
-  } else if (begin_with_last(space, robot, best); robot && config_.robot_inside) {
+  } else if (of_last = begin_with_last(space, robot, best); robot && config_.robot_inside) {
     around_.search(space, *robot, limits_of(space, 0, config_, std::nullopt).d, best);
   } else {
     search_anywhere(space, best);
   }
-  last_.reset();
+  const auto before = std::exchange(last_, std::nullopt);
   is_proven = best.gap_bound <= best.score;
   if (best.score < config_.least_score) return std::nullopt;
   last_ = best.rectangle;
+  const bool is_known = of_last && before == last_;
   return SearchResult{.rectangle = best.rectangle,
                       .score = best.score,
-                      .walls = space.walls(best.rectangle),
+                      .walls = is_known ? of_last->walls : space.walls(best.rectangle),
                       .gap = std::max(0, best.gap_bound - best.score),
                       .expansions = best.expansions,
                       .planes_opened = best.planes_opened};
 }
 
-void RectangleSearch::begin_with_last(const HoughSpace& space, const std::optional<Point2>& robot,
-                                      Incumbent& best) const {
-  if (last_ && fits(*last_, space, limits_of(space, last_->alpha, config_, robot)))
-    best.offer(*last_, space.score(*last_));
+/// What the last answer scores now, if it is still within the limits.
+std::optional<HoughSpace::Terms> RectangleSearch::begin_with_last(const HoughSpace& space,
+                                                                  const std::optional<Point2>& robot,
+                                                                  Incumbent& best) const {
+  if (!last_ || !fits(*last_, space, limits_of(space, last_->alpha, config_, robot))) return std::nullopt;
+  const HoughSpace::Terms terms = space.terms(*last_);
+  best.offer(*last_, terms.score);
+  return terms;
 }
 
 void RectangleSearch::search_each_plane(const HoughSpace& space, const std::optional<Point2>& robot,

@@ -61,7 +61,8 @@ class RectangleSearch {
                                      bool& is_proven);
   void search_each_plane(const HoughSpace& space, const std::optional<Point2>& robot, Incumbent& best) const;
   void search_anywhere(const HoughSpace& space, Incumbent& best);
-  void begin_with_last(const HoughSpace& space, const std::optional<Point2>& robot, Incumbent& best) const;
+  std::optional<HoughSpace::Terms> begin_with_last(const HoughSpace& space,
+                                                   const std::optional<Point2>& robot, Incumbent& best) const;
 
   /// What an answer depends on.
   struct Question {
