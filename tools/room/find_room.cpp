@@ -26,6 +26,9 @@ struct Strictness {
 constexpr Strictness kPlanarStrictness[] = {
     {6.0, 4.0, 1.0}, {6.0, 1.0, 1.0}, {1.0, 0.0, 1.0}, {1.0, 0.0, 0.5}};
 
+constexpr int kReturnsPerFace =
+    20;  // that each sight of a map stands for: what is behind the face counts less
+
 constexpr double kMargin_m = 1.5, kPoint_px = 5.0;
 constexpr double kPictureFrom_m = 0.15, kPictureTo_m = 2.2;  // heights shown
 
@@ -50,6 +53,18 @@ std::vector<Point2> standing_columns(const Survey& survey) {
   for (const auto& [x, y] : columns)
     points.push_back(survey.T_file_survey * Point2((x + 0.5) * r, (y + 0.5) * r));
   return points;
+}
+
+/// Where walls of a map begin, as if measured.
+std::vector<CellHit> faces_seen(const Panorama& panorama) {
+  const auto z_m = static_cast<float>((planar_layer(panorama.resolution_m) + 0.5) * panorama.resolution_m);
+  std::vector<CellHit> faces;
+  for (const Sight& sight : panorama.sights) {
+    const Point2 at = panorama.end_of(sight);
+    if (sight.meets)
+      faces.push_back({static_cast<float>(at.x()), static_cast<float>(at.y()), z_m, kReturnsPerFace});
+  }
+  return faces;
 }
 
 /// Votes count cells in whole numbers: one alone could not be weighed against a toll of a twentieth.
@@ -132,6 +147,7 @@ FoundRoom find_room(const Survey& survey, const room_detector::RoomDetectorConfi
   const Pose2 T_survey_robot =
       at ? survey.T_file_survey.inverse() * Pose2{at->x(), at->y(), 0.0} : survey.T_survey_stand;
   Survey view = survey.is_fused ? seen_from(T_survey_robot.translation(), survey) : survey;
+  if (survey.is_drawn()) view.hits = faces_seen(look_around(view, T_survey_robot.translation()));
   if (view.is_planar) thicken(view.cells);
   FoundRoom found{.T_file_robot = survey.T_file_survey * T_survey_robot, .points = standing_columns(survey)};
   const auto configs = suited_to(survey, config);

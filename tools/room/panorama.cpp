@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/room/panorama.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "components/roomDetector/core/column_index.hpp"
@@ -18,14 +19,29 @@ CellState state_at(const room_detector::ColumnIndex& states, const Point2& p) {
   return state == room_detector::ColumnIndex::kNone ? CellState::kUnexplored : static_cast<CellState>(state);
 }
 
+/// Where a sight enters a cell.
+double range_of_face(const Point2& place, const Point2& direction, const Point2& cell, double resolution_m) {
+  double range_m = 0.0;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double face = cell[axis] + (direction[axis] > 0.0 ? 0.0 : 1.0);
+    if (std::abs(direction[axis]) > 1e-9)
+      range_m = std::max(range_m, (face * resolution_m - place[axis]) / direction[axis]);
+  }
+  return range_m;
+}
+
 /// In steps of half a cell.
 Sight look(const room_detector::ColumnIndex& states, const Point2& place, double resolution_m,
            double angle_rad) {
   Sight sight{.direction = {std::cos(angle_rad), std::sin(angle_rad)}};
   int unknown = 0;
   for (double range_m = 0.0; range_m < kFarthest_m; range_m += 0.5 * resolution_m) {
-    const CellState state = state_at(states, (place + range_m * sight.direction) / resolution_m);
-    if (state == CellState::kOccupied) return {sight.direction, range_m, true};
+    const Point2 at = (place + range_m * sight.direction) / resolution_m;
+    const CellState state = state_at(states, at);
+    if (state == CellState::kOccupied) {
+      const Point2 cell(std::floor(at.x()), std::floor(at.y()));
+      return {sight.direction, range_of_face(place, sight.direction, cell, resolution_m), true};
+    }
     unknown = state == CellState::kFree ? 0 : unknown + 1;
     if (unknown == 0) sight.range_m = range_m;
     if (unknown > 2 * kBridgedCells && range_m > kOwnPlace_m) break;

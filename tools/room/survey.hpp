@@ -27,8 +27,10 @@ struct Survey {
   std::vector<CellHit> hits;    ///< returns behind them; none where only the grid is known
   bool is_fused = false;        ///< from many places, not from T_survey_stand alone
   bool is_planar = false;       ///< one layer, at kPlanarHeight_m: nothing is known of heights
-  Pose2 T_survey_stand;         ///< where the robot stands unless the user says otherwise
-  Pose2 T_file_survey;          ///< the coordinates of the file, which its user knows
+  /// A map: its walls begin where free floor ends, however thick they are.
+  bool is_drawn() const { return is_planar && hits.empty(); }
+  Pose2 T_survey_stand;  ///< where the robot stands unless the user says otherwise
+  Pose2 T_file_survey;   ///< the coordinates of the file, which its user knows
 };
 
 /// Layer of cells that holds kPlanarHeight_m.

@@ -10,7 +10,9 @@ namespace {
 
 constexpr double kReach_m = 16.0;
 constexpr double kFrom_m = 0.3, kTo_m = 2.4, kEvery_m = 0.1;  // heights of the level beams
-constexpr double kWall_m = 0.15;    // a beam shows the wall this deep behind the face it meets
+// A beam shows the wall this deep behind the face it meets: where returns were measured they scatter, and
+// walls of grids are as thick; where a map is drawn the face itself is known.
+constexpr double kWall_m = 0.15, kDrawnWall_m = 0.10;
 constexpr int kUnknownBridged = 2;  // cells that no measurement happened to pass
 
 /// Columns about the robot's.
@@ -37,10 +39,10 @@ struct Viewer {
   int wall = 0;
   Raster layer, seen;
 
-  Viewer(const Point2& at, double resolution_m)
+  Viewer(const Point2& at, double resolution_m, double wall_m)
       : place(at / resolution_m),
         reach(static_cast<int>(kReach_m / resolution_m)),
-        wall(std::max(1, static_cast<int>(std::lround(kWall_m / resolution_m)))),
+        wall(std::max(1, static_cast<int>(std::lround(wall_m / resolution_m)))),
         layer(column_x(), column_y(), reach),
         seen(column_x(), column_y(), reach) {}
 
@@ -73,7 +75,7 @@ struct Viewer {
 
 Survey seen_from(const Point2& place, const Survey& survey) {
   const double r = survey.resolution_m;
-  Viewer viewer(place, r);
+  Viewer viewer(place, r, survey.is_drawn() ? kDrawnWall_m : kWall_m);
   const int every = survey.is_planar ? 1 : std::max(1, static_cast<int>(kEvery_m / r));
   for (int z = static_cast<int>(kFrom_m / r); z < static_cast<int>(kTo_m / r); z += every) {
     if (survey.is_planar && z != planar_layer(r)) continue;

@@ -60,6 +60,16 @@ TEST(FindRoom, FindsTheRoomOfAPlanAndItsDoorInTheCoordinatesOfTheMap) {
   EXPECT_NEAR(json["doors"][0]["width_m"].get<double>(), 0.9, 0.11);
 }
 
+TEST(FindRoom, TakesTheWallsOfAMapToBeginWhereFreeFloorEnds) {
+  for (const int thick : {1, 2, 4, 8}) {
+    const Survey survey = survey_of_map({0, 100, 0, 90}, {{thick, 80 + thick, thick, 60 + thick}});
+    const FoundRoom room = find_room(survey, {}, std::nullopt);
+    ASSERT_TRUE(room.estimate.found) << thick;
+    EXPECT_NEAR(room.estimate.rectangle.width_m, 4.0, 0.005) << thick;
+    EXPECT_NEAR(room.estimate.rectangle.height_m, 3.0, 0.005) << thick;
+  }
+}
+
 TEST(FindRoom, TellsARoomFromTheCorridorBehindItsOpenDoorThoughThereIsNoLintel) {
   const Survey survey =
       survey_of_map({0, 200, 18, 120}, {{60, 120, 20, 80}, {80, 100, 80, 84}, {2, 198, 84, 104}});
