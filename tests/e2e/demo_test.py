@@ -6,6 +6,7 @@ import signal
 import subprocess
 import tempfile
 import threading
+import time
 import unittest
 from pathlib import Path
 from xml.etree import ElementTree
@@ -93,6 +94,22 @@ class WholeDemo(Finished):
 
 
 class Survival(Finished):
+    PAUSE_S = 9.0  # more than a heartbeat may be late
+
+    def test_a_pause_of_all_processes_is_no_hang_of_any(self):
+        with tempfile.TemporaryDirectory() as folder:
+            demo = Demo(folder, "--speed", 5)
+            wait_for(lambda: demo.said("sweep 1 ") or demo.process.poll() is not None, 90, "the first sweep")
+            all_of_it = [demo.process.pid, *processes_of(demo.domain).values()]
+            for number in (signal.SIGSTOP, signal.SIGCONT):
+                for pid in all_of_it:
+                    os.kill(pid, number)
+                if number == signal.SIGSTOP:
+                    time.sleep(self.PAUSE_S)
+            self.assertEqual(demo.finish(400), 0, demo.text())
+            self.assertFalse(demo.said("hangs"), demo.text())
+            self.assert_explored(demo.report(), demo.text())
+
     def test_killed_grid_builder_and_explorer_rejoin_and_the_exploration_finishes(self):
         with tempfile.TemporaryDirectory() as folder:
             demo = Demo(folder, "--speed", 5)

@@ -21,10 +21,14 @@ const Paint kPlanWall{.stroke = "#37474f", .width_px = 5.0, .fill = "#fafafa"};
 const Paint kPassage{.stroke = "#2e9e3f", .width_px = 7.0};
 const Paint kExit{.stroke = "#ef6c00", .width_px = 7.0};
 const Paint kUnresolved{.stroke = "#9e9e9e", .width_px = 7.0};
+const Paint kShut{.stroke = "#c62828", .width_px = 7.0};
 
-const Paint& paint_of(DoorKind kind) {
-  if (kind == DoorKind::kPassage) return kPassage;
-  return kind == DoorKind::kExit ? kExit : kUnresolved;
+bool is_shut(const Door& door) { return door.closed || door.kind == DoorKind::kBlocked; }
+
+const Paint& paint_of(const Door& door) {
+  if (is_shut(door)) return kShut;
+  if (door.kind == DoorKind::kPassage) return kPassage;
+  return door.kind == DoorKind::kExit ? kExit : kUnresolved;
 }
 
 std::string door_text(const Door& door) { return fmt::format("door {}", door.id); }
@@ -78,7 +82,7 @@ void draw_door(SvgCanvas& canvas, const TopologicalMap& map, const Door& door) {
     const Room* room = map.find_room(face.room);
     if (!room) return nullptr;
     const Segment s = segment_in_map(*room, face);
-    canvas.line(s.from, s.to, paint_of(door.kind));
+    canvas.line(s.from, s.to, paint_of(door));
     return room;
   };
   const Room* room = draw_face(door.face);
@@ -86,7 +90,7 @@ void draw_door(SvgCanvas& canvas, const TopologicalMap& map, const Door& door) {
   if (!room) return;
   const WallInterval& gap = door.face.gap;
   write_on_wall(canvas, room->rectangle(), {gap.wall, 0.5 * (gap.from_m + gap.to_m)}, door_text(door),
-                {.size_px = kDoorText_px, .colour = paint_of(door.kind).stroke});
+                {.size_px = kDoorText_px, .colour = paint_of(door).stroke});
 }
 
 }  // namespace
@@ -107,7 +111,9 @@ std::string draw_floor_plan(const TopologicalMap& map, const std::string& title)
   for (const Room& room : map.rooms) draw_room(canvas, map, room);
   for (const Door& door : map.doors) draw_door(canvas, map, door);
   canvas.title(title, contents);
-  canvas.legend({{kPassage, "passage"}, {kExit, "exit"}, {kUnresolved, "unresolved"}});
+  std::vector<Swatch> legend{{kPassage, "passage"}, {kExit, "exit"}, {kUnresolved, "unresolved"}};
+  if (std::ranges::any_of(map.doors, is_shut)) legend.push_back({kShut, "blocked or closed"});
+  canvas.legend(legend);
   return canvas.str();
 }
 

@@ -76,7 +76,7 @@ void print(const RoomEstimate& estimate) {
   const Rectangle& r = estimate.rectangle;
   std::cout << fmt::format(
       "\n  room: {:.2f} × {:.2f} m, centre ({:.2f}, {:.2f}) m from the scanner, turned by {:.1f}°\n",
-      r.width_m, r.height_m, r.x_m, r.y_m, degrees(r.yaw_rad));
+      r.width_m, r.height_m, r.x_m, r.y_m, rounded(degrees(r.yaw_rad), 10.0));
   for (const DoorEstimate& door : estimate.doors) {
     if (door.state == DoorState::kUnexplored) continue;
     const Point2 middle = segment_of(r, door.gap).midpoint();

@@ -5,6 +5,7 @@
 #include <csignal>
 #include <exception>
 #include <future>
+#include <utility>
 
 #include "interfaces/dds/shared_memory.hpp"
 #include "interfaces/topics/topics.hpp"
@@ -16,6 +17,7 @@ std::atomic<bool> interrupted = false;
 
 /// Heartbeats come twice a second from the thread that does the work.
 constexpr std::chrono::seconds kHungAfter{8};
+constexpr std::chrono::seconds kPausedAfter{2};  // between two looks, ten of which come in a second
 
 void note_interrupt(int) { interrupted = true; }
 
@@ -36,8 +38,13 @@ Session::Session(DeploymentConfig deployment, int domain, std::function<void(con
 
 Session::~Session() { executor_.stop(); }
 
+/// Who has not looked for a while was stopped itself, and perhaps the whole machine was: then nobody hangs
+/// yet.
 void Session::end_the_hung() {
   const auto now = std::chrono::steady_clock::now();
+  const bool was_paused = now - std::exchange(last_look_, now) > kPausedAfter;
+  if (was_paused)
+    for (auto& [component, beat] : last_beat_) beat = now;
   for (auto& [component, beat] : last_beat_) {
     if (now - beat < kHungAfter) continue;
     beat = now;  // its successor gets as long

@@ -18,7 +18,8 @@ namespace enfilade::launch {
 enum class SessionEnd { kDone, kMemberLost, kInterrupted };
 
 /// A deployment together with somebody who listens to it. All callbacks run on one thread. A member whose
-/// heartbeat stops though its process lives is ended, so that the deployment starts it again.
+/// heartbeat stops though its process lives is ended, so that the deployment starts it again; but not where
+/// this process had been stopped as well.
 class Session {
  public:
   /// `say` gets one line for each thing that happens to the processes.
@@ -41,6 +42,7 @@ class Session {
   SystemClock clock_;
   ComponentLog log_;
   std::map<std::string, std::chrono::steady_clock::time_point> last_beat_;
+  std::chrono::steady_clock::time_point last_look_ = std::chrono::steady_clock::now();
   ThreadExecutor executor_;
   DdsBus bus_;
 };

@@ -16,7 +16,6 @@ ALLOWED = [
     ("interfaces/topics", r"interfaces/topics/", r"interfaces/(geometry|model|topics)/"),
     ("a core", r"components/gridBuilder/core/", r"Eigen/|octomap/|interfaces/(geometry|model)/|components/gridBuilder/core/"),
     ("a core", r"components/topoGraph/core/", r"Eigen/|ceres/|interfaces/(geometry|model)/|components/topoGraph/core/"),
-    ("a core", r"components/roomDetector/core/", r"Eigen/|ceres/|interfaces/(geometry|model)/|components/roomDetector/core/"),
     ("a core", r"components/(?P<c>\w+)/core/", r"Eigen/|interfaces/(geometry|model)/|components/{c}/core/"),
     ("the simulator's core", r"tools/simulator/core/", r"Eigen/|embree3/|interfaces/(geometry|model)/|tools/simulator/core/"),
 ]

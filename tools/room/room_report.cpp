@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "interfaces/model/counted.hpp"
 #include "tools/room/find_room.hpp"
 #include "tools/support/rectangle_json.hpp"
 
@@ -58,7 +59,7 @@ std::string to_text(const FoundRoom& room) {
   if (!e.found) return text + "  no rectangle fits what stands around it\n";
   text += fmt::format("  room {:.2f} × {:.2f} m, centre ({:.2f}, {:.2f}) m, turned by {:.1f}°\n",
                       e.rectangle.width_m, e.rectangle.height_m, e.rectangle.x_m, e.rectangle.y_m,
-                      degrees(e.rectangle.yaw_rad));
+                      rounded(degrees(e.rectangle.yaw_rad), 10.0));
   for (const DoorEstimate& door : e.doors) {
     if (door.state == DoorState::kUnexplored) continue;
     const Point2 middle = segment_of(e.rectangle, door.gap).midpoint();
@@ -68,7 +69,8 @@ std::string to_text(const FoundRoom& room) {
         door.height_m ? fmt::format(", {:.2f} m high", *door.height_m) : "", door.gap.wall, middle.x(),
         middle.y(), 100.0 * door.evidence.free_share);
   }
-  return text + fmt::format("  {:.0f} % of the walls were not seen\n", 100.0 * e.unexplored_wall_share);
+  return text + fmt::format("  {:.0f} % of the walls were not seen\n",
+                            rounded(100.0 * e.unexplored_wall_share, 1.0));
 }
 
 }  // namespace enfilade::room

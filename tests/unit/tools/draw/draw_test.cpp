@@ -93,5 +93,19 @@ TEST(FloorPlan, EmptyMapIsStillAPicture) {
   EXPECT_NE(draw_floor_plan({}, "nothing").find("</svg>"), std::string::npos);
 }
 
+TEST(FloorPlan, ShowsABlockedAndAClosedDoorAsShut) {
+  TopologicalMap map;
+  map.rooms.push_back({.id = 1, .width_m = 4.0, .height_m = 3.0});
+  map.doors.push_back({.id = 1, .kind = DoorKind::kPassage, .face = {1, {0, 1.0, 2.0}}});
+  const std::string open = draw_floor_plan(map, "open");
+  EXPECT_EQ(open.find("blocked or closed"), std::string::npos);
+  map.doors[0].closed = true;
+  const std::string closed = draw_floor_plan(map, "open");
+  EXPECT_NE(closed.find("blocked or closed"), std::string::npos);
+  map.doors[0].closed = false;
+  map.doors[0].kind = DoorKind::kBlocked;
+  EXPECT_EQ(draw_floor_plan(map, "open"), closed);
+}
+
 }  // namespace
 }  // namespace enfilade::draw
