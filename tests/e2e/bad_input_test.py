@@ -172,6 +172,9 @@ class BadInput(unittest.TestCase):
             try:
                 self.assertTrue(any("running" in line for line in iter(first.stderr.readline, "")))
                 self.assert_refused(self.component("topoGraph"), "topoGraph", first.pid)
+                demo = run("demo", "--domain", str(free_domain()), "--out", self.folder / "out")
+                self.assertNotEqual(demo.returncode, 0)
+                self.assertIn(f"process {first.pid} already runs topoGraph", demo.stderr)
             finally:
                 first.terminate()
                 first.communicate(timeout=10)

@@ -37,7 +37,7 @@ std::string prepare_out_folder(const DemoOptions& options);
 DeploymentConfig deployment_of(const std::vector<std::string>& components, const Settings& settings,
                                int domain, bool sim_time, const std::string& out_folder);
 
-/// Prints why a member was lost: the last line of each log that ends in an error.
+/// Prints why a member was lost: the last line of each log that ends in an error or a refusal.
 void print_loss(const std::string& out_folder);
 
 }  // namespace enfilade::launch

@@ -73,7 +73,8 @@ DeploymentConfig deployment_of(const std::vector<std::string>& components, const
 void print_loss(const std::string& out_folder) {
   for (const std::string_view component : kComponents) {
     const std::string last = last_line(fmt::format("{}/log/{}.log", out_folder, component));
-    if (last.find("error") != std::string::npos) std::cerr << last << "\n";
+    const bool refused = last.starts_with(std::string(component) + ": ");
+    if (refused || last.find("error") != std::string::npos) std::cerr << last << "\n";
   }
 }
 
