@@ -28,6 +28,12 @@ std::string status_line(const report::RunRecord& record) {
                      state.activity);
 }
 
+/// Before it gives the time itself the simulator has the host's clock.
+double simulated_s(StampNs stamp_ns) {
+  constexpr double kHostClockFrom_s = 1e9;
+  return seconds(stamp_ns) < kHostClockFrom_s ? seconds(stamp_ns) : 0.0;
+}
+
 /// Beside the shipped configuration.
 std::string paper_world() {
   const std::filesystem::path etc = find_config_file("simulator", executable_path(), process_environment);
@@ -76,7 +82,7 @@ int run_simulated_demo(const DemoOptions& options) {
   report::RunRecorder recorder(session.bus(), truth.T_world_start);
   session.bus().subscribe<LogLine>(topics::kRosout, [&](const LogLine& line) {
     progress.line(
-        fmt::format("{:7.1f} s  {:<12} {}", seconds(line.stamp_ns), line.component_name, line.text));
+        fmt::format("{:7.1f} s  {:<12} {}", simulated_s(line.stamp_ns), line.component_name, line.text));
   });
   const SessionEnd end = session.run([&] {
     progress.status(status_line(recorder.record()));

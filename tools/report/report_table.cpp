@@ -13,8 +13,9 @@ std::string room_row(const RoomReport& room) {
   const std::string name = fmt::format("room {}", room.id);
   if (!room.truth) return fmt::format("  {:<8} {:<26} {:<26} {}\n", name, size_text(room.measured), "-", "-");
   const Rectangle& truth = *room.truth;
-  const std::string error = fmt::format("{:+.0f}, {:+.0f} mm", 1e3 * (room.measured.width_m - truth.width_m),
-                                        1e3 * (room.measured.height_m - truth.height_m));
+  const std::string error =
+      fmt::format("{:+.0f}, {:+.0f} mm", rounded(1e3 * (room.measured.width_m - truth.width_m), 1.0),
+                  rounded(1e3 * (room.measured.height_m - truth.height_m), 1.0));
   return fmt::format("  {:<8} {:<26} {:<26} {}\n", name, size_text(room.measured), size_text(truth), error);
 }
 
@@ -30,8 +31,9 @@ std::string door_row(const DoorReport& door) {
   std::string truth = "-", error = "-";
   if (door.truth) {
     truth = fmt::format("{:.2f} m wide", door.truth->length());
-    error = fmt::format("width {:+.0f} mm, position {:.0f} mm",
-                        1e3 * (door.opening.length() - door.truth->length()), 1e3 * door.shift_m());
+    error =
+        fmt::format("width {:+.0f} mm, position {:.0f} mm",
+                    rounded(1e3 * (door.opening.length() - door.truth->length()), 1.0), 1e3 * door.shift_m());
   }
   return fmt::format("  {:<8} {:<26} {:<26} {}\n", fmt::format("door {}", door.id), measured, truth, error);
 }
