@@ -100,7 +100,8 @@ Detection RoomDetector::describe(const Rectangle& outline) {
   const HoughSpace& space = *votes_.space();
   const auto bins = bins_of(canonical(outline).rectangle, space);
   if (!bins) return d;
-  d.diagnostics.search = {.rectangle = *bins, .score = space.score(*bins), .walls = space.walls(*bins)};
+  const HoughSpace::Terms terms = space.terms(*bins);
+  d.diagnostics.search = {.rectangle = *bins, .score = terms.score, .walls = terms.walls};
   d.diagnostics.coarse = canonical(outline).rectangle;
   complete(d, space);
   return d;
